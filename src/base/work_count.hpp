@@ -1,0 +1,36 @@
+// Work is counted here and priced in one place, by `machine`.
+#pragma once
+
+#include <cstdint>
+
+namespace enfilade {
+
+/// What a piece of the computation did, in operations; the cost model turns it into flops.
+struct WorkCount {
+  std::uint64_t rays = 0;            ///< visibility rays cast
+  std::uint64_t form_factors = 0;    ///< closed-form point-to-polygon factors evaluated
+  std::uint64_t kernels = 0;         ///< point-to-point kernels evaluated
+  std::uint64_t links_refined = 0;   ///< links replaced by finer ones
+  std::uint64_t links_gathered = 0;  ///< links that light was gathered over
+  std::uint64_t patches = 0;         ///< patches created
+  std::uint64_t push_pulls = 0;      ///< patches visited by push-pull
+  std::uint64_t shafts = 0;          ///< shaft queries
+  std::uint64_t bytes_read = 0;      ///< from the store
+  std::uint64_t bytes_written = 0;   ///< to the store
+
+  WorkCount& operator+=(const WorkCount& o) {
+    rays += o.rays;
+    form_factors += o.form_factors;
+    kernels += o.kernels;
+    links_refined += o.links_refined;
+    links_gathered += o.links_gathered;
+    patches += o.patches;
+    push_pulls += o.push_pulls;
+    shafts += o.shafts;
+    bytes_read += o.bytes_read;
+    bytes_written += o.bytes_written;
+    return *this;
+  }
+};
+
+}  // namespace enfilade

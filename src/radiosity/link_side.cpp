@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/link_estimate.hpp"
+
+namespace enfilade {
+namespace {
+
+/// The largest mean over the bands, and the largest RMS variation over a patch (gradient and children).
+void fill_light(LinkSide& side, std::size_t node, const Vec2& node_centroid) {
+  const PatchForest& forest = *side.forest;
+  const std::span<const double> b = forest.radiosity(node);
+  const PatchShape& s = side.shape;
+  const auto terms = static_cast<std::size_t>(forest.terms());
+  for (std::size_t at = 0; at < b.size(); at += terms) {
+    double mean = b[at], variation = 0.0;
+    if (terms == 3) {
+      const Vec2 g(b[at + 1], b[at + 2]);
+      mean += glm::dot(g, s.centroid - node_centroid);
+      variation = s.cxx * g.x * g.x + 2.0 * s.cxy * g.x * g.y + s.cyy * g.y * g.y;
+    }
+    side.light = std::max(side.light, std::abs(mean));
+    side.variation = std::max(side.variation, std::sqrt(std::max(0.0, variation)));
+  }
+  side.variation = std::hypot(side.variation, forest.deviation(node));
+}
+
+}  // namespace
+
+LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) {
+  LinkSide side;
+  side.forest = &forest;
+  side.cluster = cluster;
+  side.id = id;
+  if (id.is_group()) {
+    const GroupNode& group = forest.groups()[id.group()];
+    side.center = group.bounds.center();
+    side.radius = 0.5 * group.bounds.diagonal();
+    side.area_m2 = group.area_m2;
+    for (const double b : forest.group_radiosity(id.group())) side.light = std::max(side.light, b);
+    side.variation = forest.group_spread(id.group());
+    return side;
+  }
+  const std::size_t node = forest.find(id);
+  side.shape = forest.node(node).shape;
+  const Vec2 made_centroid = side.shape.centroid;
+  int missing = 0;
+  for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
+  while (missing-- > 0) {
+    auto halves = side.shape.bisect();
+    side.shape = ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
+  }
+  const PolygonFrame& frame = side.frame();
+  side.center = frame.at(side.shape.centroid);
+  for (const Vec2& p : side.shape.vertices) {
+    side.corners.push_back(frame.at(p));
+    side.radius = std::max(side.radius, glm::length(side.corners.back() - side.center));
+  }
+  side.area_m2 = side.shape.area_m2;
+  fill_light(side, node, made_centroid);
+  return side;
+}
+
+LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
+  LinkSide side;
+  side.id.root = number;
+  side.corners = {light.p};
+  side.center = light.p;
+  for (const double i : light.intensity) side.light = std::max(side.light, i);
+  return side;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,49 @@
+// Everything that can stand between two patches, for visibility rays and shafts.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "clusters/cluster.hpp"
+#include "raycast/ray_scene.hpp"
+
+namespace enfilade {
+
+/// A polygon of a cluster, by number.
+struct PolygonRef {
+  ClusterId cluster;
+  std::uint32_t polygon = 0;  ///< index in Cluster::polygons
+};
+
+class ShaftTree;
+
+/// All polygons of the given clusters; polygon k of cluster c has one global number.
+class Occluders {
+ public:
+  explicit Occluders(std::span<const Cluster> clusters);
+  ~Occluders();
+  Occluders(Occluders&&) noexcept;
+  Occluders& operator=(Occluders&&) noexcept;
+
+  const RayScene& rays() const { return rays_; }
+  std::uint32_t global(ClusterId cluster, std::uint32_t polygon) const {
+    return first_[cluster.index()] + polygon;
+  }
+  PolygonRef local(std::uint32_t global) const { return refs_[global]; }
+  /// True where it is certain that no polygon but skip_a and skip_b meets the convex hull of a and b.
+  bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b) const;
+  /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
+  bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
+  double extent_m() const { return extent_m_; }
+  std::size_t bytes() const;
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<PolygonRef> refs_;
+  RayScene rays_;
+  std::unique_ptr<ShaftTree> shafts_;
+  double extent_m_ = 0.0;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,92 @@
+#include <cmath>
+#include <tuple>
+
+#include "radiosity/patch.hpp"
+
+namespace enfilade {
+namespace {
+
+double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// The parts of a convex polygon where dot(axis, p) is below and above `at`.
+std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices, const Vec2& axis,
+                                                    double at) {
+  std::vector<Vec2> below, above;
+  Vec2 a = vertices.back();
+  double side_a = glm::dot(axis, a) - at;
+  for (const Vec2& b : vertices) {
+    const double side_b = glm::dot(axis, b) - at;
+    if ((side_a < 0.0) != (side_b < 0.0)) {
+      const Vec2 p = a + (b - a) * (side_a / (side_a - side_b));
+      below.push_back(p);
+      above.push_back(p);
+    }
+    (side_b < 0.0 ? below : above).push_back(b);
+    a = b;
+    side_a = side_b;
+  }
+  return {std::move(below), std::move(above)};
+}
+
+}  // namespace
+
+PatchShape PatchShape::from(std::vector<Vec2> vertices) {
+  PatchShape s;
+  s.vertices = std::move(vertices);
+  const Vec2 o = s.vertices.empty() ? Vec2(0.0) : s.vertices.front();
+  double area2 = 0.0;
+  Vec2 first(0.0);
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 2; i < s.vertices.size(); ++i) {
+    const Vec2 a = s.vertices[i - 1] - o, b = s.vertices[i] - o;
+    const double w = cross2(a, b);  // twice the triangle's area
+    area2 += w;
+    first += w * (a + b);
+    xx += w * (a.x * a.x + b.x * b.x + a.x * b.x);
+    yy += w * (a.y * a.y + b.y * b.y + a.y * b.y);
+    xy += w * (2.0 * a.x * a.y + 2.0 * b.x * b.y + a.x * b.y + b.x * a.y);
+  }
+  s.area_m2 = 0.5 * area2;
+  if (area2 <= 0.0) {
+    s.centroid = o;
+    return s;
+  }
+  const Vec2 c = first / (3.0 * area2);
+  s.centroid = o + c;
+  s.cxx = std::max(0.0, xx / (6.0 * area2) - c.x * c.x);
+  s.cyy = std::max(0.0, yy / (6.0 * area2) - c.y * c.y);
+  s.cxy = xy / (12.0 * area2) - c.x * c.y;
+  return s;
+}
+
+Vec2 PatchShape::long_axis() const {
+  // Nearly isotropic (a square): the polygon's own axis, so that rounding does not choose.
+  const double difference = 0.5 * (cxx - cyy);
+  const double radius = std::hypot(difference, cxy);
+  if (radius <= 1e-6 * (cxx + cyy)) return {1.0, 0.0};
+  if (std::abs(cxy) <= 1e-9 * radius) return difference > 0.0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+  const double angle = 0.5 * std::atan2(cxy, difference);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+Vec2 PatchShape::deviations() const {
+  const double mean = 0.5 * (cxx + cyy);
+  const double radius = std::hypot(0.5 * (cxx - cyy), cxy);
+  return {std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius))};
+}
+
+std::array<Vec2, 4> PatchShape::quadrature() const {
+  const Vec2 e1 = long_axis();
+  const Vec2 e2{-e1.y, e1.x};
+  const Vec2 s = deviations();
+  return {centroid - s.x * e1 - s.y * e2, centroid + s.x * e1 - s.y * e2,
+          centroid - s.x * e1 + s.y * e2, centroid + s.x * e1 + s.y * e2};
+}
+
+std::pair<PatchShape, PatchShape> PatchShape::bisect() const {
+  const Vec2 axis = long_axis();
+  auto [below, above] = cut(vertices, axis, glm::dot(axis, centroid));
+  return {from(std::move(below)), from(std::move(above))};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,37 @@
+// Irradiance at a point by one gather from the solution: probes, and the pixels of a picture.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "radiosity/cluster_state.hpp"
+#include "radiosity/occluders.hpp"
+
+namespace enfilade {
+
+struct PointGatherConfig {
+  int rays = 4096;            ///< over the hemisphere
+  std::uint64_t seed = 1;
+};
+
+/// Holds on to the clusters (in order of their ids), lights and occluders, which must outlive it.
+class PointGather {
+ public:
+  PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
+              const Occluders& occluders, const PointGatherConfig& config);
+  ~PointGather();
+
+  /// Irradiance per band at p on a plane with unit normal n, by a gather from every patch in view.
+  Spectrum irradiance(const Vec3& p, const Vec3& n) const;
+  /// Irradiance per band as the patch's own basis has it at p: the nearest surface below p (against n).
+  Spectrum from_patches(const Vec3& p, const Vec3& n) const;
+  /// Radiosity per band of polygon `polygon` (global number) at point p on it.
+  Spectrum radiosity(std::uint32_t polygon, const Vec3& p) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,39 @@
+// Shafts: is it certain that nothing stands between two polygons? (Haines and Wallace 1991)
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/polygon.hpp"
+
+namespace enfilade {
+
+/// The convex hull of two convex polygons, as half-spaces; inside is where every signed distance <= 0.
+/// Only what lies in front of both polygons counts, since light between their front sides stays there.
+std::vector<Plane> shaft_between(const Polygon& a, const Polygon& b, double tolerance_m);
+
+/// A bounding-volume tree over polygons that answers shaft queries.
+class ShaftTree {
+ public:
+  explicit ShaftTree(std::vector<Polygon> polygons);
+
+  /// Does a polygon other than skip_a, skip_b reach more than tolerance_m into the shaft?
+  bool blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+               std::uint32_t skip_b) const;
+  const Polygon& polygon(std::uint32_t k) const { return polygons_[k]; }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0, end = 0;   // polygons, at a leaf
+    std::int32_t left = -1, right = -1;
+  };
+  std::int32_t build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Polygon> polygons_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace enfilade

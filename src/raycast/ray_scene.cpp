@@ -1,0 +1,169 @@
+#include "raycast/ray_scene.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+/// Embree's context, with the two polygons that a ray does not see.
+struct SkipContext {
+  RTCIntersectContext embree;  // first member: Embree hands its address back to the filter
+  const std::uint32_t* polygon_of_triangle;
+  std::uint32_t skip_a, skip_b;
+};
+
+void skip_filter(const RTCFilterFunctionNArguments* args) {
+  const auto* context = reinterpret_cast<const SkipContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const std::uint32_t polygon =
+        context->polygon_of_triangle[RTCHitN_primID(args->hit, args->N, i)];
+    if (polygon == context->skip_a || polygon == context->skip_b) args->valid[i] = 0;
+  }
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  Vec3 center{0.0};
+  float epsilon = 0.0f;
+  std::vector<std::uint32_t> polygon_of_triangle;
+  std::vector<Vec3> normals;
+
+  ~Impl() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  SkipContext context(std::uint32_t skip_a, std::uint32_t skip_b) const {
+    SkipContext c;
+    rtcInitIntersectContext(&c.embree);
+    c.polygon_of_triangle = polygon_of_triangle.data();
+    c.skip_a = skip_a;
+    c.skip_b = skip_b;
+    return c;
+  }
+
+  RTCRay ray(const Vec3& from, const Vec3& unit_direction, double near_m, double far_m) const {
+    const Vec3 o = from - center;
+    RTCRay r{};
+    r.org_x = static_cast<float>(o.x);
+    r.org_y = static_cast<float>(o.y);
+    r.org_z = static_cast<float>(o.z);
+    r.dir_x = static_cast<float>(unit_direction.x);
+    r.dir_y = static_cast<float>(unit_direction.y);
+    r.dir_z = static_cast<float>(unit_direction.z);
+    r.tnear = static_cast<float>(near_m);
+    r.tfar = static_cast<float>(far_m);
+    r.mask = 0xFFFFFFFFu;
+    return r;
+  }
+
+  void build(std::span<const Polygon> polygons);
+};
+
+void RayScene::Impl::build(std::span<const Polygon> polygons) {
+  Box box;
+  std::size_t vertices = 0, triangles = 0;
+  for (const Polygon& p : polygons) {
+    for (const Vec3& v : p) box.add(v);
+    vertices += p.size();
+    triangles += p.size() >= 3 ? p.size() - 2 : 0;
+  }
+  center = box.empty() ? Vec3(0.0) : box.center();
+  // A float's step at half the diagonal is 6e-8 of it; an intersection is good to a few such steps.
+  epsilon = static_cast<float>(1e-6 * std::max(box.diagonal(), 1e-30));
+
+  device = rtcNewDevice("threads=1,set_affinity=0");
+  if (device == nullptr) throw RunError("Embree cannot start");
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  normals.reserve(polygons.size());
+  polygon_of_triangle.reserve(triangles);
+  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  if (triangles > 0) {
+    auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+    auto* index = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), triangles));
+    if (xyz == nullptr || index == nullptr) throw RunError("not enough memory for the ray tracer");
+    std::uint32_t first = 0;
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+      for (const Vec3& v : polygons[k]) {
+        const Vec3 q = v - center;
+        *xyz++ = static_cast<float>(q.x);
+        *xyz++ = static_cast<float>(q.y);
+        *xyz++ = static_cast<float>(q.z);
+      }
+      const auto n = static_cast<std::uint32_t>(polygons[k].size());
+      for (std::uint32_t i = 2; i < n; ++i) {
+        *index++ = first;
+        *index++ = first + i - 1;
+        *index++ = first + i;
+        polygon_of_triangle.push_back(static_cast<std::uint32_t>(k));
+      }
+      first += n;
+      normals.push_back(normal(polygons[k]));
+    }
+  }
+  rtcSetGeometryIntersectFilterFunction(mesh, skip_filter);
+  rtcSetGeometryOccludedFilterFunction(mesh, skip_filter);
+  rtcCommitGeometry(mesh);
+  rtcAttachGeometry(scene, mesh);
+  rtcReleaseGeometry(mesh);
+  rtcCommitScene(scene);
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw RunError("the ray tracer cannot be built");
+}
+
+RayScene::RayScene(std::span<const Polygon> polygons) : impl_(std::make_unique<Impl>()) {
+  impl_->build(polygons);
+}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+bool RayScene::occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a,
+                        std::uint32_t skip_b) const {
+  const Vec3 d = b - a;
+  const double length = glm::length(d);
+  const double near_m = impl_->epsilon;
+  if (length <= 2.0 * near_m) return false;
+  RTCRay ray = impl_->ray(a, d / length, near_m, length - near_m);
+  SkipContext context = impl_->context(skip_a, skip_b);
+  rtcOccluded1(impl_->scene, &context.embree, &ray);
+  return ray.tfar < 0.0f;
+}
+
+RayHit RayScene::closest(const Vec3& from, const Vec3& direction, std::uint32_t skip,
+                         double max_distance_m) const {
+  const Vec3 d = glm::normalize(direction);
+  RTCRayHit query{};
+  query.ray = impl_->ray(from, d, impl_->epsilon, max_distance_m);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  SkipContext context = impl_->context(skip, skip);
+  rtcIntersect1(impl_->scene, &context.embree, &query);
+  RayHit hit;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  hit.polygon = impl_->polygon_of_triangle[query.hit.primID];
+  hit.distance_m = query.ray.tfar;
+  hit.front = glm::dot(d, impl_->normals[hit.polygon]) < 0.0;
+  return hit;
+}
+
+double RayScene::epsilon_m() const { return impl_->epsilon; }
+
+std::size_t RayScene::bytes() const {
+  // Embree's BVH takes about 100 bytes a triangle beside the vertices (measured with its memory monitor).
+  return impl_->polygon_of_triangle.size() * (100 + 12 + 36) + impl_->normals.size() * sizeof(Vec3);
+}
+
+}  // namespace enfilade
