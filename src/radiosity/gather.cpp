@@ -42,7 +42,7 @@ class Gatherer {
   };
 
   void look_around();
-  double exposure_of(const PatchNode& node, bool lit_only);
+  double exposure_of(const PatchNode& node, int rings, bool lit_only);
   double close_rows(std::vector<double>& gathered);
   void couple(const Link& link, std::span<const float> transport);
   void fill_coarse_row(std::span<const double> before, double closing);
@@ -79,16 +79,17 @@ class Gatherer {
 };
 
 /// Share of the hemisphere's rays from all over a patch that end on a front side (that gives light).
-double Gatherer::exposure_of(const PatchNode& node, bool lit_only) {
-  constexpr int rings = 4, sectors = 4;  // at each of the four quadrature points
+/// `rings` * `rings` strata from each quarter of the patch.
+double Gatherer::exposure_of(const PatchNode& node, int rings, bool lit_only) {
   const PolygonFrame& frame = receiver_.patches().frames()[node.id.root];
   const std::uint32_t own = occluders_.global(receiver_.id(), node.id.root);
   Random random((std::uint64_t{own} << 32) + node.id.path);
   int ended = 0;
-  for (const Vec2& q : node.shape.quadrature()) {
-    for (int stratum = 0; stratum < rings * sectors; ++stratum) {
-      const double r = std::sqrt((stratum / sectors + random.uniform()) / rings);
-      const double phi = 2.0 * std::numbers::pi * (stratum % sectors + random.uniform()) / sectors;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (int stratum = 0; stratum < rings * rings; ++stratum) {
+      const Vec2 q = node.shape.point_in_quarter(quarter, random.uniform(), random.uniform());
+      const double r = std::sqrt((stratum / rings + random.uniform()) / rings);
+      const double phi = 2.0 * std::numbers::pi * (stratum % rings + random.uniform()) / rings;
       const Vec3 d = r * std::cos(phi) * frame.u + r * std::sin(phi) * frame.v +
                      std::sqrt(std::max(0.0, 1.0 - r * r)) * frame.n;
       ++result_.work.rays;
@@ -100,14 +101,14 @@ double Gatherer::exposure_of(const PatchNode& node, bool lit_only) {
       ended += lit_only && seen->second.patches->radiosity(ref.polygon)[0] <= 0.0 ? 0 : 1;
     }
   }
-  return ended / (4.0 * rings * sectors);
+  return ended / (4.0 * rings * rings);
 }
 
 /// Finds the polygons that are sealed off, before anything is linked to them.
 void Gatherer::look_around() {
   PatchForest& patches = receiver_.patches();
   for (std::size_t k = 0; k < patches.polygons(); ++k) {
-    patches.set_exposure(k, static_cast<float>(exposure_of(patches.node(k), false)));
+    patches.set_exposure(k, static_cast<float>(exposure_of(patches.node(k), 4, false)));
   }
 }
 
@@ -155,11 +156,14 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
   }
   // Push the rows down; at a leaf share out what is missing.
   std::vector<char> open(patches.polygons(), 0);
+  // At least 2,000 rays for the cluster: a narrow opening must not pass for none.
+  const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
+  const int rings = std::max(4, static_cast<int>(std::sqrt(500.0 / static_cast<double>(leaves))));
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (node.leaf()) {
       if (patches.exposure(n) < 0.0f || n < patches.polygons()) {
-        patches.set_exposure(n, static_cast<float>(exposure_of(node, true)));
+        patches.set_exposure(n, static_cast<float>(exposure_of(node, rings, true)));
       }
       if (patches.exposure(n) < 1.0f) open[node.id.root] = 1;
       continue;
@@ -176,6 +180,7 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
     }
   }
   const std::size_t stride = bands * terms;
+  const double rays = 4.0 * rings * rings;
   double sum = 0.0, closed = 0.0;
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -185,18 +190,21 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
     closed += node.shape.area_m2 * row[0];
     if (row[terms] <= 0.0) continue;
     const double target = patches.exposure(n);
-    const double missing = target - row[0];
-    // 64 rays know an open row's sum to about this much only.
-    const double blur = open[node.id.root] ? 2.0 * std::sqrt((target * (1.0 - target) + 0.02) / 64.0) : 0.0;
-    if (std::abs(missing) <= blur || target <= 0.0) continue;
+    // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one against the
+    // other. A row without an opening sums to 1.
+    const double doubt = 0.5 * row[terms];
+    const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
+    const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
+    const double missing = gain * (target - row[0]);
+    if (target <= 0.0) continue;
     closed += node.shape.area_m2 * missing;
     for (std::size_t b = 0; b < bands; ++b) {
       double* to = gathered.data() + n * stride + b * terms;
       const double light = row[terms + 1 + b] / row[terms];
       to[0] += missing * light;
-      if (terms == 3 && !open[node.id.root]) {
-        to[1] -= row[1] * light;
-        to[2] -= row[2] * light;
+      if (terms == 3) {
+        to[1] -= gain * row[1] * light;
+        to[2] -= gain * row[2] * light;
       }
     }
   }

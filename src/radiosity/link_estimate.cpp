@@ -16,22 +16,6 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
-/// A point in quarter q of a patch, drawn evenly where the patch is a rectangle; else the quadrature point.
-Vec2 jittered(const PatchShape& shape, int q, double r1, double r2) {
-  const Vec2 e1 = shape.long_axis(), e2{-e1.y, e1.x};
-  const Vec2 s = shape.deviations() * std::numbers::sqrt3;  // a rectangle's half sides
-  const double a = (q & 1 ? r1 : -r1) * s.x, b = (q & 2 ? r2 : -r2) * s.y;
-  const Vec2 p = shape.centroid + a * e1 + b * e2;
-  const std::size_t n = shape.vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 v = shape.vertices[i], w = shape.vertices[(i + 1) % n];
-    if ((w.x - v.x) * (p.y - v.y) - (w.y - v.y) * (p.x - v.x) < 0.0) {
-      return shape.quadrature()[static_cast<std::size_t>(q)];
-    }
-  }
-  return p;
-}
-
 std::uint64_t seed_of(const LinkSide& a, const LinkSide& b) {
   std::uint64_t h = 0x8F1BBCDCull;
   for (const std::uint64_t x : {std::uint64_t{a.cluster.value}, std::uint64_t{a.id.root},
@@ -107,7 +91,7 @@ bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& 
   Vec3 y = shooter.center;
   std::uint32_t skip_shooter = RayScene::no_polygon;
   if (shooter.is_patch()) {
-    y = shooter.frame().at(jittered(shooter.shape, quarter, random.uniform(), random.uniform()));
+    y = shooter.frame().at(shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
     skip_shooter = occluders_->global(shooter.cluster, shooter.id.root);
   } else if (shooter.is_group()) {
     // A polygon by its share of the group's factor, stratified over the quarters, then a point on it.
@@ -120,7 +104,7 @@ bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& 
     const std::uint32_t k = shooter.forest->order()[group.begin + i];
     const int q = static_cast<int>(random.below(4));
     y = shooter.forest->frames()[k].at(
-        jittered(shooter.forest->node(k).shape, q, random.uniform(), random.uniform()));
+        shooter.forest->node(k).shape.point_in_quarter(q, random.uniform(), random.uniform()));
     skip_shooter = occluders_->global(shooter.cluster, k);
   }
   ++work_->rays;
@@ -139,7 +123,7 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver, co
   const std::uint32_t skip = occluders_->global(receiver.cluster, receiver.id.root);
   const PolygonFrame& frame = receiver.frame();
   auto point = [&](int q) {
-    return frame.at(jittered(receiver.shape, q, random.uniform(), random.uniform()));
+    return frame.at(receiver.shape.point_in_quarter(q, random.uniform(), random.uniform()));
   };
   // Too little power for its visibility to matter: one ray.
   if (power <= 0.1 * tolerance) {
@@ -357,8 +341,8 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     while (i + 1 < facing.size() && pick >= facing[i]) pick -= facing[i++];
     const std::uint32_t k = receiver.forest->order()[group.begin + i];
     const PolygonFrame& frame = receiver.forest->frames()[k];
-    const Vec3 x = frame.at(jittered(receiver.forest->node(k).shape, static_cast<int>(random.below(4)),
-                                     random.uniform(), random.uniform()));
+    const Vec3 x = frame.at(receiver.forest->node(k).shape.point_in_quarter(
+        static_cast<int>(random.below(4)), random.uniform(), random.uniform()));
     open += ray_open(x, occluders_->global(receiver.cluster, k), shooter, ray, random, nullptr) ? 1 : 0;
   }
   const double seen = open / 4.0;

@@ -42,6 +42,9 @@ struct PatchShape {
   /// Four points at centroid +- s1 e1 +- s2 e2 (e principal axes, s standard deviations), each with a quarter
   /// of the area: exact for quadratics on any polygon, and on a rectangle the 2 x 2 Gauss rule.
   std::array<Vec2, 4> quadrature() const;
+  /// A point in quarter 0 .. 3 of the area, r1 and r2 in [0, 1): evenly spread where the patch is a rectangle,
+  /// else the quadrature point wherever the rectangle of the same moments reaches out of the patch.
+  Vec2 point_in_quarter(int quarter, double r1, double r2) const;
   /// sqrt of the covariance along the principal axes: (s1, s2), metres.
   Vec2 deviations() const;
 };

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <tuple>
+#include <numbers>
 
 #include "radiosity/patch.hpp"
 
@@ -81,6 +81,20 @@ std::array<Vec2, 4> PatchShape::quadrature() const {
   const Vec2 s = deviations();
   return {centroid - s.x * e1 - s.y * e2, centroid + s.x * e1 - s.y * e2,
           centroid - s.x * e1 + s.y * e2, centroid + s.x * e1 + s.y * e2};
+}
+
+Vec2 PatchShape::point_in_quarter(int quarter, double r1, double r2) const {
+  const Vec2 e1 = long_axis(), e2{-e1.y, e1.x};
+  const Vec2 half = deviations() * std::numbers::sqrt3;  // a rectangle's half sides
+  const Vec2 p = centroid + ((quarter & 1) != 0 ? r1 : -r1) * half.x * e1 +
+                 ((quarter & 2) != 0 ? r2 : -r2) * half.y * e2;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2 v = vertices[i];
+    if (cross2(vertices[(i + 1) % vertices.size()] - v, p - v) < 0.0) {
+      return quadrature()[static_cast<std::size_t>(quarter)];
+    }
+  }
+  return p;
 }
 
 std::pair<PatchShape, PatchShape> PatchShape::bisect() const {

@@ -44,7 +44,7 @@ struct PointGather::Impl {
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
 };
 
-/// Bright: its mean radiosity is over 8 times the mean of all that is lit (so none in a furnace).
+/// Bright: its mean radiosity is over 8 times the mean of all surfaces (so none in a furnace).
 void PointGather::Impl::choose_bright() {
   double area = 0.0, power = 0.0;
   auto top = [&](const PatchForest& f, std::size_t k) {
@@ -58,7 +58,6 @@ void PointGather::Impl::choose_bright() {
     const PatchForest& f = c.patches();
     polygons += f.polygons();
     for (std::size_t k = 0; k < f.polygons(); ++k) {
-      if (top(f, k) <= 0.0) continue;
       area += f.node(k).shape.area_m2;
       power += f.node(k).shape.area_m2 * top(f, k);
     }

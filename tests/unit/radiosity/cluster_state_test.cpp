@@ -1,0 +1,42 @@
+#include "radiosity/cluster_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(ClusterState, SurvivesItsFile) {
+  Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.2}, {1.0, 0.3});
+  testing::add_block(scene, {1, 0.5, 0}, {1.5, 1, 0.6}, {0.4, 0.4}, {0.0, 0.0});
+  const testing::Solved solved(scene, Basis::linear, 1e-3);
+  const ClusterState& state = solved.states.back();
+  ASSERT_GT(state.links().size(), 0u);
+  const ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches),
+                          state.bytes_of(Section::links));
+  EXPECT_EQ(copy.id(), state.id());
+  EXPECT_EQ(copy.iteration(), state.iteration());
+  EXPECT_EQ(copy.patches().size(), state.patches().size());
+  for (const Section s : {Section::geometry, Section::patches, Section::links}) {
+    EXPECT_EQ(copy.bytes_of(s).size(), state.bytes_of(s).size());
+  }
+  for (std::size_t n = 0; n < state.patches().size(); ++n) {
+    EXPECT_EQ(copy.patches().node(n).id, state.patches().node(n).id);
+    EXPECT_NEAR(copy.patches().node(n).shape.area_m2, state.patches().node(n).shape.area_m2, 1e-15);
+    EXPECT_EQ(copy.patches().radiosity(n)[0], state.patches().radiosity(n)[0]);
+  }
+}
+
+TEST(ClusterState, RefusesATornRecord) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  const ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear);
+  const auto geometry = state.bytes_of(Section::geometry);
+  auto patches = state.bytes_of(Section::patches);
+  patches.resize(patches.size() / 2);
+  EXPECT_THROW(ClusterState(geometry, patches, {}), RunError);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,109 @@
+#include "radiosity/patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+const std::vector<Vec2> pentagon{{0, 0}, {3, 0.2}, {3.5, 1.5}, {1.7, 2.4}, {-0.3, 1.1}};
+
+/// Integral of f over a polygon by a fine fan of midpoint triangles: an independent answer for moments.
+template <class F>
+double integral(const std::vector<Vec2>& p, F f) {
+  double sum = 0.0;
+  const int n = 400;
+  for (std::size_t i = 2; i < p.size(); ++i) {
+    const Vec2 a = p[i - 1] - p[0], b = p[i] - p[0];
+    const double area = 0.5 * (a.x * b.y - a.y * b.x) / (n * n);
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n - j; ++k) {
+        sum += area * f(p[0] + a * ((j + 1.0 / 3) / n) + b * ((k + 1.0 / 3) / n));
+        if (k < n - j - 1) sum += area * f(p[0] + a * ((j + 2.0 / 3) / n) + b * ((k + 2.0 / 3) / n));
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(PatchShape, MomentsMatchNumericalIntegrals) {
+  const PatchShape s = PatchShape::from(pentagon);
+  EXPECT_NEAR(s.area_m2, integral(pentagon, [](Vec2) { return 1.0; }), 1e-9);
+  EXPECT_NEAR(s.centroid.x, integral(pentagon, [](Vec2 p) { return p.x; }) / s.area_m2, 1e-6);
+  const Vec2 c = s.centroid;
+  EXPECT_NEAR(s.cxx, integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.x - c.x); }) / s.area_m2, 1e-5);
+  EXPECT_NEAR(s.cxy, integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.y - c.y); }) / s.area_m2, 1e-5);
+}
+
+TEST(PatchShape, QuadratureIsExactForQuadratics) {
+  const PatchShape s = PatchShape::from(pentagon);
+  const auto f = [](Vec2 p) { return 1.0 + p.x - 2.0 * p.y + p.x * p.x + 0.5 * p.x * p.y - p.y * p.y; };
+  double mean = 0.0;
+  for (const Vec2& p : s.quadrature()) mean += 0.25 * f(p);
+  EXPECT_NEAR(mean, integral(pentagon, f) / s.area_m2, 1e-5);
+}
+
+TEST(PatchShape, HalvesCoverTheWhole) {
+  PatchShape s = PatchShape::from(pentagon);
+  for (int depth = 0; depth < 12; ++depth) {
+    const auto [low, high] = s.bisect();
+    EXPECT_NEAR(low.area_m2 + high.area_m2, s.area_m2, 1e-12 * s.area_m2);
+    EXPECT_GT(low.area_m2, 0.2 * s.area_m2);
+    EXPECT_GT(high.area_m2, 0.2 * s.area_m2);
+    s = high;
+  }
+}
+
+/// For every inner node: mean of its children = its own value, and an affine light survives the round trip.
+TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.9}, {1.0, 0.0});
+  for (const Basis basis : {Basis::constant, Basis::linear}) {
+    ClusterState state(testing::clusters_of(scene)[0], scene, basis);
+    PatchForest& f = state.patches();
+    const std::size_t child = f.subdivide(0);
+    f.subdivide(child);
+    f.subdivide(child + 1);
+    const auto terms = static_cast<std::size_t>(f.terms());
+    std::vector<double> gathered(f.size() * 2 * terms, 0.0);
+    gathered[0] = 2.0;                                   // band 0 at the polygon
+    if (terms == 3) {
+      gathered[1] = 0.7;
+      gathered[2] = -0.3;
+    }
+    gathered[(child * 2 + 1) * terms] = 5.0;             // band 1 at one child only
+    f.push_pull(gathered);
+    for (std::size_t n = 0; n < f.size(); ++n) {
+      if (f.node(n).leaf()) continue;
+      for (std::size_t b = 0; b < 2; ++b) {
+        double mean = 0.0;
+        for (std::size_t c = 0; c < 2; ++c) {
+          const std::size_t k = static_cast<std::size_t>(f.node(n).first_child) + c;
+          mean += f.node(k).shape.area_m2 * f.radiosity(k)[b * terms];
+        }
+        EXPECT_NEAR(mean / f.node(n).shape.area_m2, f.radiosity(n)[b * terms], 1e-12);
+      }
+    }
+    EXPECT_NEAR(f.irradiance(0)[0], 2.0, 1e-12);
+    EXPECT_NEAR(f.radiosity(0)[0], 1.0 + 0.5 * 2.0, 1e-12);
+    EXPECT_NEAR(f.irradiance(0)[terms], 2.5, 1e-12);  // half of it has 5
+    if (terms == 3) {
+      EXPECT_NEAR(f.irradiance(0)[1], 0.7, 1e-12);
+    }
+    EXPECT_GT(f.deviation(0), 0.1);       // the jump between the halves
+    EXPECT_NEAR(f.deviation(child), 0.0, 1e-7);
+  }
+}
+
+TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
+  PatchForest& f = state.patches();
+  const std::size_t child = f.subdivide(0);
+  EXPECT_EQ(f.find({0, 1}), 0u);
+  EXPECT_EQ(f.find({0, 0b11}), child + 1);
+  EXPECT_EQ(f.find({0, 0b1101}), child + 1);
+}
+
+}  // namespace
+}  // namespace enfilade

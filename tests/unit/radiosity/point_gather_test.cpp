@@ -1,0 +1,54 @@
+#include "radiosity/point_gather.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(PointGather, DirectLightOfAPanelMatchesTheClosedForm) {
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.0}, {0.0});
+  Surface lamp;
+  lamp.vertices = {{1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}};
+  lamp.reflectance = {0.0};
+  lamp.exitance = {10.0};
+  scene.surfaces.push_back(lamp);
+  const testing::Solved solved(scene, Basis::linear, 1e-3);
+  const PointGather gather(solved.states, scene.lights, solved.occluders, {});
+  const double x = 0.5 / 2.9, s = std::sqrt(1 + x * x);  // below its middle: four quarter rectangles
+  const double factor = 4.0 * (2.0 * x / s * std::atan(x / s)) / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 10.0 * factor, 1e-3 * 10.0 * factor);
+}
+
+TEST(PointGather, HalfHiddenPanelGivesHalf) {
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.0}, {0.0});
+  Surface lamp;
+  lamp.vertices = {{1.5, 1.5, 2.9}, {1.5, 2.5, 2.9}, {2.5, 2.5, 2.9}, {2.5, 1.5, 2.9}};
+  lamp.reflectance = {0.0};
+  lamp.exitance = {10.0};
+  scene.surfaces.push_back(lamp);
+  Surface blind = lamp;  // hides the half x > 2 from the point below the middle
+  blind.vertices = {{2.0, 1.0, 2.0}, {2.0, 3.0, 2.0}, {3.0, 3.0, 2.0}, {3.0, 1.0, 2.0}};
+  blind.exitance = {0.0};
+  scene.surfaces.push_back(blind);
+  const testing::Solved solved(scene, Basis::linear, 1e-3);
+  const PointGather gather(solved.states, scene.lights, solved.occluders, {});
+  const double x = 0.5 / 2.9, s = std::sqrt(1 + x * x);
+  const double factor = 2.0 * (2.0 * x / s * std::atan(x / s)) / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 10.0 * factor, 5e-3 * 10.0 * factor);
+}
+
+TEST(PointGather, PatchesAgreeWithTheGatherInAFurnace) {
+  const testing::Solved solved(testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.4 * 3.0}), Basis::linear, 1e-3);
+  const PointGather gather(solved.states, solved.scene.lights, solved.occluders, {});
+  for (const Vec3 p : {Vec3(0.01, 0.01, 0), Vec3(2, 3.9, 0), Vec3(2, 2, 0)}) {
+    EXPECT_NEAR(gather.irradiance(p, {0, 0, 1})[0], 3.0, 3e-3);
+    EXPECT_NEAR(gather.from_patches(p, {0, 0, 1})[0], 3.0, 1e-2);
+  }
+}
+
+}  // namespace
+}  // namespace enfilade
