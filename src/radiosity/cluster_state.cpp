@@ -144,6 +144,7 @@ class ClusterStateCodec {
     w.put_all(f.irradiance_);
     w.put_all(f.deviation_);
     w.put_all(f.exposure_);
+    w.put_all(f.sealed_);
   }
 
   static void read_patches(PatchForest& f, Reader& r) {
@@ -151,6 +152,7 @@ class ClusterStateCodec {
     f.irradiance_.resize(f.nodes_.size() * f.stride());
     f.deviation_.resize(f.nodes_.size());
     f.exposure_.resize(f.nodes_.size());
+    f.sealed_.resize(f.frames_.size());
     for (const std::uint32_t parent : r.get_all<std::uint32_t>()) {
       if (parent >= f.nodes_.size()) throw RunError("a cluster's record names a patch it does not have");
       f.subdivide(parent);
@@ -159,9 +161,11 @@ class ClusterStateCodec {
     f.irradiance_ = r.get_all<double>();
     f.deviation_ = r.get_all<double>();
     f.exposure_ = r.get_all<float>();
+    f.sealed_ = r.get_all<std::uint8_t>();
     if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
         f.irradiance_.size() != f.radiosity_.size() ||
-        f.deviation_.size() != f.nodes_.size() || f.exposure_.size() != f.nodes_.size()) {
+        f.deviation_.size() != f.nodes_.size() || f.exposure_.size() != f.nodes_.size() ||
+        f.sealed_.size() != f.frames_.size()) {
       throw RunError("a cluster's record holds light for another number of patches");
     }
     f.pull_groups();

@@ -108,7 +108,7 @@ double Gatherer::exposure_of(const PatchNode& node, int rings, bool lit_only) {
 void Gatherer::look_around() {
   PatchForest& patches = receiver_.patches();
   for (std::size_t k = 0; k < patches.polygons(); ++k) {
-    patches.set_exposure(k, static_cast<float>(exposure_of(patches.node(k), 4, false)));
+    if (exposure_of(patches.node(k), 4, false) == 0.0) patches.seal(k);
   }
 }
 
@@ -156,13 +156,13 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
   }
   // Push the rows down; at a leaf share out what is missing.
   std::vector<char> open(patches.polygons(), 0);
-  // At least 2,000 rays for the cluster: a narrow opening must not pass for none.
+  // At least 512 rays for the cluster: a narrow opening must not pass for none.
   const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
-  const int rings = std::max(4, static_cast<int>(std::sqrt(500.0 / static_cast<double>(leaves))));
+  const int rings = std::max(4, static_cast<int>(std::sqrt(128.0 / static_cast<double>(leaves))));
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (node.leaf()) {
-      if (patches.exposure(n) < 0.0f || n < patches.polygons()) {
+      if (patches.exposure(n) < 0.0f) {
         patches.set_exposure(n, static_cast<float>(exposure_of(node, rings, true)));
       }
       if (patches.exposure(n) < 1.0f) open[node.id.root] = 1;
@@ -224,7 +224,7 @@ void Gatherer::couple(const Link& link, std::span<const float> transport) {
     const Vec3 toward(transport[1], transport[2], transport[3]);
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
       const std::uint32_t k = patches.order()[i];
-      if (patches.exposure(k) == 0.0f) continue;
+      if (patches.sealed(k)) continue;
       const double cosine = std::max(0.0, glm::dot(patches.frames()[k].n, toward));
       area_factor += patches.node(k).shape.area_m2 * cosine * transport[0];
     }
@@ -340,7 +340,7 @@ void Gatherer::refine(Link link, LinkSet& kept) {
   if (LinkEstimator::faces_away(receiver, shooter)) return;
   double bound = LinkEstimator::power_bound(receiver, shooter);
   // None of 64 rays found a front side: no more than about 1 in 64 of the hemisphere can be one.
-  if (receiver.is_patch() && receiver_.patches().exposure(receiver.id.root) == 0.0f) bound /= 64.0;
+  if (receiver.is_patch() && receiver_.patches().sealed(receiver.id.root)) bound /= 64.0;
   const bool shooter_is_larger = shooter.radius > receiver.radius;
 
   // A group receives as one only where that can matter little; it shoots as one where it is not large.
@@ -436,7 +436,7 @@ void Gatherer::push_beam(const Link& link, std::span<const float> transport,
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
     const std::uint32_t k = patches.order()[i];
     const double cosine = glm::dot(patches.frames()[k].n, toward);
-    if (cosine <= 0.0 || patches.exposure(k) == 0.0f) continue;
+    if (cosine <= 0.0 || patches.sealed(k)) continue;
     for (std::size_t band = 0; band < bands; ++band) {
       gathered[(k * bands + band) * terms] += transport[0] * cosine * light[band];
     }

@@ -288,8 +288,9 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
       }
       worst = std::max(worst, std::abs(difference));
     }
-    const double spread = std::max(shooter.variation, 1e-300);
-    out.variation = receiver.area_m2 * seen * std::max(worst / spread, 0.02 * mean_factor);
+    // Never more than if all of the factor fell on the brightest; rounding alone must not make it more.
+    const double share = shooter.variation > 0.0 ? worst / shooter.variation : 0.0;
+    out.variation = receiver.area_m2 * seen * std::clamp(share, 0.02 * mean_factor, 10.0 * mean_factor);
   }
   const Vec2 e1 = receiver.shape.long_axis(), e2{-e1.y, e1.x};
   const Vec2 s = receiver.shape.deviations();

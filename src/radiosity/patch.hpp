@@ -105,9 +105,12 @@ class PatchForest {
   std::span<double> irradiance(std::size_t node) { return row(irradiance_, node); }
   std::span<const double> irradiance(std::size_t node) const { return row(irradiance_, node); }
   /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays; negative = not
-  /// looked at yet. Zero at a polygon's whole = sealed off, as the inside of a wall is.
+  /// looked at yet.
   float exposure(std::size_t node) const { return exposure_[node]; }
   void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
+  /// No ray from the polygon ended on a front side, as inside a wall.
+  bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
+  void seal(std::size_t polygon) { sealed_[polygon] = 1; }
 
   /// Mean radiosity per band of a group's polygons, by area, and its RMS spread among them (worst band).
   std::span<const double> group_radiosity(std::size_t group) const {
@@ -149,6 +152,7 @@ class PatchForest {
   std::vector<double> radiosity_, irradiance_, deviation_;
   std::vector<double> group_radiosity_, group_spread_;
   std::vector<float> exposure_;
+  std::vector<std::uint8_t> sealed_;
 };
 
 }  // namespace enfilade

@@ -21,6 +21,7 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   irradiance_.assign(nodes_.size() * stride(), 0.0);
   deviation_.assign(nodes_.size(), 0.0);
   exposure_.assign(nodes_.size(), -1.0f);
+  sealed_.assign(nodes_.size(), 0);
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     for (int band = 0; band < bands_; ++band) {
       radiosity(k)[static_cast<std::size_t>(band * terms_)] =
