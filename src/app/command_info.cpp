@@ -1,0 +1,119 @@
+// enfilade info: the figures of a scene, or of a run.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+#include <memory>
+#include <set>
+
+#include "app/command.hpp"
+#include "app/solve_summary.hpp"
+#include "app/text_table.hpp"
+#include "parallel/prepare.hpp"
+#include "report/stats_json.hpp"
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+
+namespace {
+
+std::string shown(const Spectrum& spectrum, const char* unit) {
+  return fmt::format("{:.4g} {}", fmt::join(spectrum, ", "), unit);
+}
+
+struct SceneFigures {
+  Box bounds;
+  double area_m2 = 0.0;
+  std::size_t emitting = 0;
+  Spectrum emitted, reflected_m2;
+  std::set<std::string> objects;
+};
+
+SceneFigures measure(const Scene& scene) {
+  SceneFigures figures;
+  const auto bands = static_cast<std::size_t>(scene.bands);
+  figures.emitted.assign(bands, 0.0);
+  figures.reflected_m2.assign(bands, 0.0);
+  for (const Surface& surface : scene.surfaces) {
+    const double area = area_m2(surface.vertices) * (surface.two_sided ? 2.0 : 1.0);
+    figures.area_m2 += area;
+    figures.bounds.add(bounds(surface.vertices));
+    if (!surface.object.empty()) figures.objects.insert(surface.object);
+    bool emits = false;
+    for (std::size_t band = 0; band < bands; ++band) {
+      figures.emitted[band] += area * surface.exitance[band];
+      figures.reflected_m2[band] += area * surface.reflectance[band];
+      emits = emits || surface.exitance[band] > 0.0;
+    }
+    if (emits) ++figures.emitting;
+  }
+  for (const PointLight& light : scene.lights) {
+    for (std::size_t band = 0; band < bands; ++band) {
+      figures.emitted[band] += 4.0 * glm::pi<double>() * light.intensity[band];
+    }
+  }
+  return figures;
+}
+
+void add_scene(TextTable& table, const Scene& scene) {
+  SceneFigures figures = measure(scene);
+  const Vec3 extent = figures.bounds.extent();
+  for (double& r : figures.reflected_m2) r /= std::max(figures.area_m2, 1e-300);
+  table.add("surfaces", with_thousands(scene.surfaces.size()));
+  table.add("objects", with_thousands(figures.objects.size()));
+  table.add("emitting surfaces", with_thousands(figures.emitting));
+  table.add("point lights", with_thousands(scene.lights.size()));
+  table.add("probes", with_thousands(scene.probes.size()));
+  table.add("bands", std::to_string(scene.bands));
+  table.add("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x, extent.y, extent.z));
+  table.add("area", fmt::format("{:.6g} m2", figures.area_m2));
+  table.add("mean reflectance", shown(figures.reflected_m2, ""));
+  table.add("emitted", shown(figures.emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+}
+
+void add_prepared(TextTable& table, const Prepared& prepared) {
+  const double n = static_cast<double>(prepared.clusters.size());
+  const double pairs = n * (n - 1.0) / 2.0;
+  const auto rooms = std::ranges::count(prepared.cells.cells(), CellKind::room, &Cell::kind);
+  table.add("cells", with_thousands(prepared.cells.cells().size()));
+  table.add("rooms among them", with_thousands(static_cast<std::uint64_t>(rooms)));
+  table.add("portals", with_thousands(prepared.cells.portals().size()));
+  table.add("clusters", with_thousands(prepared.clusters.size()));
+  const double share = pairs > 0 ? static_cast<double>(prepared.graph.edges()) / pairs : 0.0;
+  table.add("visible pairs", fmt::format("{} ({:.3g}% of all)", with_thousands(prepared.graph.edges()), 100 * share));
+  table.add("covered area", fmt::format("{:.4g} m2", prepared.covered_area_m2));
+  table.add("time to prepare", format_duration(prepared.prepare_s));
+}
+
+void run_info(const std::string& input, Session& session) {
+  TextTable table(input);
+  if (!std::filesystem::is_directory(input)) {
+    Warnings warnings;
+    add_scene(table, read_scene(input, warnings));
+    session.console().warnings(warnings);
+  } else {
+    const Prepared prepared = load_prepared(input);
+    add_scene(table, prepared.scene);
+    add_prepared(table, prepared);
+    if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
+      const RunRecord stats = read_stats(file);
+      for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
+    }
+  }
+  session.console().print(table.text());
+}
+
+}  // namespace
+
+void add_info(CLI::App& cli, Command& chosen) {
+  auto input = std::make_shared<std::string>();
+  CLI::App* sub = cli.add_subcommand("info", "Print the figures of a scene or of a RUN directory");
+  sub->add_option("input", *input, "Scene file or RUN directory")->required();
+  sub->footer("Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex");
+  sub->callback([input, &chosen] {
+    chosen = {false, [input](Session& session) { run_info(*input, session); }};
+  });
+}
+
+}  // namespace enfilade

@@ -1,0 +1,54 @@
+// enfilade locate: the cell that each of many points lies in.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "app/point_file.hpp"
+#include "app/text_table.hpp"
+#include "parallel/prepare.hpp"
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+
+namespace {
+
+struct LocateOptions {
+  std::string run, points, output;
+};
+
+void run_locate(const LocateOptions& options, Session& session) {
+  const Prepared prepared = load_prepared(options.run);
+  nlohmann::json cells = nlohmann::json::array();
+  std::size_t outside = 0;
+  for (const Vec3& p : read_points(options.points)) {
+    const CellId cell = prepared.cells.locate(p);
+    cells.push_back(cell.valid() ? static_cast<std::int64_t>(cell.value) : -1);
+    if (!cell.valid()) ++outside;
+  }
+  write_file_atomically(options.output, nlohmann::json{{"cells", cells}}.dump() + "\n");
+  TextTable table(options.output);
+  table.add("points", with_thousands(cells.size()));
+  table.add("in no cell", with_thousands(outside));
+  session.console().print(table.text());
+}
+
+}  // namespace
+
+void add_locate(CLI::App& cli, Command& chosen) {
+  auto options = std::make_shared<LocateOptions>();
+  CLI::App* sub = cli.add_subcommand("locate", "Say which cell each point lies in");
+  sub->add_option("run", options->run, "RUN directory, prepared or solved")->required();
+  sub->add_option("--points", options->points, "Points file (JSON), metres unless it names \"units\"")
+      ->required();
+  sub->add_option("-o,--output", options->output, "File to write: {\"cells\": [id, ...]}")->required();
+  sub->footer(
+      "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
+      "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, ...]}.\n"
+      "The answers stand in the points' order; -1 is a point that lies in no cell.");
+  sub->callback([options, &chosen] {
+    chosen = {false, [options](Session& session) { run_locate(*options, session); }};
+  });
+}
+
+}  // namespace enfilade

@@ -1,0 +1,51 @@
+// enfilade prepare: cells, clusters and graphs of a scene, into a RUN directory (§3.2).
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/command.hpp"
+#include "app/text_table.hpp"
+#include "parallel/prepare.hpp"
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+
+namespace {
+
+struct PrepareOptions {
+  std::string scene, run;
+};
+
+void run_prepare(const PrepareOptions& options, Session& session) {
+  const Console& console = session.console();
+  Warnings warnings;
+  const Scene scene = read_scene(options.scene, warnings);
+  const Prepared prepared = prepare(scene, options.run, {}, warnings, console.progress());
+  console.warnings(warnings);
+  TextTable table(options.run);
+  table.add("surfaces", with_thousands(prepared.scene.surfaces.size()));
+  table.add("cells", with_thousands(prepared.cells.cells().size()));
+  table.add("portals", with_thousands(prepared.cells.portals().size()));
+  table.add("clusters", with_thousands(prepared.clusters.size()));
+  table.add("visible pairs", with_thousands(prepared.graph.edges()));
+  table.add("time", format_duration(prepared.prepare_s));
+  console.print(table.text());
+}
+
+}  // namespace
+
+void add_prepare(CLI::App& cli, Command& chosen) {
+  auto options = std::make_shared<PrepareOptions>();
+  CLI::App* sub =
+      cli.add_subcommand("prepare", "Cut a scene into cells and clusters, and find who can see whom");
+  sub->add_option("scene", options->scene, "Scene file (JSON, or a model that import takes)")->required();
+  sub->add_option("-o,--output", options->run, "RUN directory to fill; a solution in it is dropped")
+      ->required();
+  sub->footer(
+      "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
+      "solve does this by itself where it has not been done. One rank works, whatever mpirun starts.");
+  sub->callback([options, &chosen] {
+    chosen = {false, [options](Session& session) { run_prepare(*options, session); }};
+  });
+}
+
+}  // namespace enfilade

@@ -1,0 +1,73 @@
+// enfilade solve: the light, on all ranks; then what people look at, on one.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/command.hpp"
+#include "app/option_checks.hpp"
+#include "app/run_description.hpp"
+#include "app/run_outputs.hpp"
+#include "app/solve_options.hpp"
+#include "app/solve_summary.hpp"
+#include "parallel/prepare.hpp"
+#include "parallel/solve.hpp"
+#include "store/manifest.hpp"
+
+namespace enfilade {
+
+namespace {
+
+/// Checked on one rank first, so that one line is printed and all leave in order.
+SolveConfig agree_on_config(const SolveOptions& options, Session& session) {
+  session.communicator().on_root([&] {
+    options.config();
+    make_machine(options.cost_model);
+  });
+  return options.config();
+}
+
+/// Every iteration of the solution, those from before a crash included.
+std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
+  std::vector<IterationSummary> history;
+  if (const auto manifest = read_manifest(RunLayout(run_directory))) {
+    for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
+  }
+  return history;
+}
+
+void run_solve(const SolveOptions& options, Session& session) {
+  const Console& console = session.console();
+  Communicator& communicator = session.communicator();
+  const SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+
+  Warnings warnings;
+  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory, {}, warnings,
+                                      console.progress());
+  console.warnings(warnings);
+
+  communicator.on_root([&] { remove_run_outputs(config.run_directory); });
+  SolveProgress progress(config.target_error, console.progress());
+  RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
+  describe_run(stats, config, prepared);
+
+  communicator.on_root([&] {
+    const auto owner = assign(prepared.graph, {config.assignment, communicator.size(), config.seed});
+    write_run_outputs({config.run_directory, options.probe_source(), options.pictures},
+                      {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},
+                      console.progress());
+    if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
+  });
+}
+
+}  // namespace
+
+void add_solve(CLI::App& cli, Command& chosen) {
+  auto options = std::make_shared<SolveOptions>();
+  CLI::App* sub = cli.add_subcommand("solve", "Compute the light of a scene, on as many ranks as mpirun starts");
+  add_solve_options(*sub, *options);
+  sub->callback([options, &chosen] {
+    chosen = {true, [options](Session& session) { run_solve(*options, session); }};
+  });
+}
+
+}  // namespace enfilade

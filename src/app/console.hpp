@@ -1,0 +1,44 @@
+// What the program says, and where: results on standard output, errors, warnings and progress on standard error.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/progress.hpp"
+#include "base/warnings.hpp"
+
+namespace enfilade {
+
+/// One rank of a run speaks; on the others every call does nothing.
+class Console {
+ public:
+  explicit Console(bool speaks);
+  ~Console();
+  Console(Console&&) noexcept;
+  Console& operator=(Console&&) noexcept;
+
+  bool speaks() const { return speaks_; }
+  /// Standard output, as it is.
+  void print(std::string_view text) const;
+  /// "enfilade: error: ..." on one line, whatever line breaks the message has.
+  void error(const std::string& message) const;
+  /// "enfilade: warning: ...", one line a kind of warning.
+  void warnings(const Warnings& warnings) const;
+  /// One line on standard error, for what is good to know: "enfilade: ...".
+  void note(const std::string& message) const;
+  /// Shows phases, percent and an estimate of the time left, on a terminal; empty where standard error is none.
+  Progress progress() const;
+  /// Wipes the progress line.
+  void end_progress() const;
+
+ private:
+  class Meter;
+  bool speaks_ = true;
+  std::shared_ptr<Meter> meter_;
+};
+
+/// Line breaks and tabs become single spaces.
+std::string on_one_line(const std::string& text);
+
+}  // namespace enfilade

@@ -1,0 +1,32 @@
+#include "app/run_description.hpp"
+
+#include <fmt/format.h>
+
+namespace enfilade {
+
+namespace {
+
+const char* name_of(AssignmentMethod method) {
+  switch (method) {
+    case AssignmentMethod::metis: return "metis";
+    case AssignmentMethod::round_robin: return "round-robin";
+    default: return "kmeans";
+  }
+}
+
+}  // namespace
+
+void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
+  record.set("version", ENFILADE_VERSION);
+  record.set("revision", ENFILADE_REVISION);
+  record.set("scene_hash", fmt::format("{:016x}", prepared.scene.hash));
+  record.set("unit", enfilade::name_of(prepared.scene.unit));
+  record.set("seed", config.seed);
+  record.set("target_error", config.target_error);
+  record.set("assignment", name_of(config.assignment));
+  record.set("order", config.order == TourOrder::input ? "input" : "travelling-salesman");
+  record.set("steal", config.steal);
+  record.set("memory_bytes", config.memory_bytes);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,102 @@
+#include "app/run_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/solved_run.hpp"
+#include "report/camera.hpp"
+#include "report/solution_glb.hpp"
+#include "report/stats_json.hpp"
+#include "report/surfaces_csv.hpp"
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+
+namespace {
+
+RunRecord record_of(const IterationSummary& summary) {
+  RunRecord record;
+  record.set("iteration", summary.plan.iteration);
+  record.set("refine", summary.plan.refine);
+  record.set("link_tolerance", summary.plan.link_tolerance);
+  record.set("estimated_error", summary.estimated_error);
+  record.set("relative_change", summary.sums.received_power > 0.0
+                                    ? summary.sums.change_power / summary.sums.received_power
+                                    : 0.0);
+  record.set("max_change", summary.sums.max_change);
+  record.set("change_power", summary.sums.change_power);
+  record.set("received_power", summary.sums.received_power);
+  record.set("patches", summary.sums.patches);
+  record.set("links", summary.sums.links);
+  record.set("rays", summary.sums.work.rays);
+  record.set("time_s", summary.time_s);
+  return record;
+}
+
+void write_records(const std::string& run, const RunRecords& records) {
+  write_stats(records.stats, run + "stats.json");
+  std::string rows;
+  for (const IterationSummary& summary : records.history) {
+    rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
+  }
+  write_file_atomically(run + "history.json", "[" + rows + "]\n");
+  write_file_atomically(run + "warnings.json", nlohmann::json(records.warnings.summary()).dump(1) + "\n");
+  std::vector<int> ranks;
+  for (const Rank rank : records.owner) ranks.push_back(rank.value);
+  write_file_atomically(run + "assignment.json", nlohmann::json(ranks).dump() + "\n");
+}
+
+/// "View from room 3, false colour" -> "view-from-room-3-false-colour".
+std::string file_name_of(const std::string& caption) {
+  std::string name;
+  for (const char c : caption) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
+    if (plain) name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    else if (!name.empty() && name.back() != '-') name += '-';
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "picture" : name;
+}
+
+}  // namespace
+
+RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
+                      const Progress& progress) {
+  RunPage page = read_run_page(run_directory);
+  std::vector<Camera> cameras;
+  if (pictures) cameras = automatic_cameras(solved);
+  const std::vector<Rank> owner = read_owners(run_directory + "/assignment.json");
+  add_pictures(page, solved, cameras, owner, {}, progress);
+  return page;
+}
+
+void remove_run_outputs(const std::string& run_directory) {
+  const std::filesystem::path run(run_directory);
+  for (const char* name : {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
+                           "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
+    std::filesystem::remove_all(run / name);
+  }
+}
+
+void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress) {
+  const std::string directory = outputs.run_directory + "/";
+  write_records(directory, records);
+  const SolvedRun run(std::move(records.prepared), outputs.run_directory);
+  const SolvedScene solved = run.solved_scene();
+  write_file_atomically(directory + "surfaces.csv", surfaces_csv(solved));
+  write_file_atomically(directory + "solution.glb", solution_glb(solved));
+  if (const auto& probes = solved.scene.probes; !probes.empty()) {
+    write_probe_answers(outputs.probe_source, directory + "probes.json",
+                        irradiance_at(run, probes, ProbeMethod::gather, progress), "gather", solved.scene.unit);
+  }
+  const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
+  if (!page.pictures.empty()) std::filesystem::create_directories(directory + "pictures");
+  for (const Figure& figure : page.pictures) {
+    write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png", figure.png);
+  }
+  write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
+}
+
+}  // namespace enfilade

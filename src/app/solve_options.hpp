@@ -1,0 +1,37 @@
+// What `solve` can be told.
+#pragma once
+
+#include <string>
+
+#include "parallel/solve.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace enfilade {
+
+struct SolveOptions {
+  std::string input, output;
+  double target_error = SolveConfig{}.target_error;
+  double epsilon = 0.0, tolerance = 0.0;
+  std::string basis = "auto", assignment = "kmeans", order = "travelling-salesman";
+  std::string memory, local_directory, cost_model;
+  std::uint64_t seed = SolveConfig{}.seed;
+  int max_iterations = SolveConfig{}.max_iterations;
+  bool no_steal = false, no_correction = false, resume = false, quiet = false;
+  bool pictures = true;
+
+  /// Empty where the input is a RUN directory that is solved in place.
+  std::string scene_file() const;
+  std::string run_directory() const;
+  /// The file whose probes are answered: it has the keys that the user gave them.
+  std::string probe_source() const;
+  /// Throws InputError for a value that is none.
+  SolveConfig config() const;
+};
+
+/// Adds the arguments, options and the help text of `solve`.
+void add_solve_options(CLI::App& sub, SolveOptions& options);
+
+}  // namespace enfilade

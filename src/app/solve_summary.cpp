@@ -1,0 +1,94 @@
+#include "app/solve_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/text_table.hpp"
+
+namespace enfilade {
+
+namespace {
+
+std::string shown_number(const std::string& key, double x) {
+  if (!std::isfinite(x)) return "not known";
+  if (key.ends_with("_s")) return format_duration(x);
+  if (key.starts_with("bytes_") || key.ends_with("_bytes")) return format_bytes(x);
+  if (key == "estimated_error" || key == "target_error" || key == "flux_balance") return fmt::format("{:.2g}%", 100.0 * x);
+  return fmt::format("{:.4g}", x);
+}
+
+struct Row {
+  const char* key;
+  const char* label;
+};
+
+constexpr Row summary_rows[] = {
+    {"surfaces", "surfaces"},
+    {"cells", "cells"},
+    {"clusters", "clusters"},
+    {"patches", "patches"},
+    {"links", "links"},
+    {"rays", "visibility rays"},
+    {"ranks", "ranks"},
+    {"steals", "clusters stolen"},
+    {"messages", "messages"},
+    {"iterations", "iterations"},
+    {"estimated_error", "estimated error"},
+    {"target_error", "asked error"},
+    {"flux_balance", "light unaccounted for"},
+    {"peak_rss_bytes", "memory, largest rank"},
+    {"prepare_s", "time to prepare"},
+    {"solve_s", "time to solve"},
+    {"simulated_s", "simulated time"},
+};
+
+}  // namespace
+
+IterationObserver SolveProgress::observer() {
+  return [this](const IterationSummary& summary) {
+    report_progress(progress_,
+                    fmt::format("solve: iteration {}, estimated error {:.2g}%,", summary.plan.iteration,
+                                100.0 * summary.estimated_error),
+                    fraction(summary.estimated_error));
+  };
+}
+
+double SolveProgress::fraction(double error) {
+  if (first_error_ == 0.0) first_error_ = error;
+  if (error <= target_error_) return 1.0;
+  if (!(first_error_ > target_error_)) return 0.0;
+  return std::clamp(std::log(first_error_ / error) / std::log(first_error_ / target_error_), 0.0, 1.0);
+}
+
+std::string shown_value(const std::string& key, const RunRecord::Value& value) {
+  if (const auto* n = std::get_if<std::int64_t>(&value)) {
+    return key.ends_with("_bytes") || key.starts_with("bytes_")
+               ? format_bytes(static_cast<double>(*n))
+               : (*n < 0 ? "-" : "") + with_thousands(static_cast<std::uint64_t>(std::abs(*n)));
+  }
+  if (const auto* x = std::get_if<double>(&value)) return shown_number(key, *x);
+  if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "yes" : "no";
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  std::string list;
+  for (const double x : std::get<std::vector<double>>(value)) {
+    list += (list.empty() ? "" : ", ") + shown_number(key, x);
+  }
+  return list;
+}
+
+std::string solve_summary(const std::string& run_directory, const RunRecord& record) {
+  const auto* converged = record.find("converged");
+  const bool stopped = converged != nullptr && *converged == RunRecord::Value(false);
+  const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
+  const char* state = stopped ? ": gave up before it converged" : reached ? ": solved" : ": converged above the asked error";
+  TextTable table(run_directory + state);
+  for (const Row& row : summary_rows) {
+    if (const auto* value = record.find(row.key)) table.add(row.label, shown_value(row.key, *value));
+  }
+  table.add("look at", run_directory + "/report.html");
+  return table.text();
+}
+
+}  // namespace enfilade

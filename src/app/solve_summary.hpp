@@ -1,0 +1,36 @@
+// What `solve` says while it works, and at its end.
+#pragma once
+
+#include <string>
+
+#include "base/progress.hpp"
+#include "base/run_record.hpp"
+#include "parallel/solve.hpp"
+
+namespace enfilade {
+
+/// Turns committed iterations into progress: the share of the way from the first one's error to the asked one,
+/// on a logarithmic scale.
+class SolveProgress {
+ public:
+  SolveProgress(double target_error, Progress progress)
+      : target_error_(target_error), progress_(std::move(progress)) {}
+
+  /// Refers to this object.
+  IterationObserver observer();
+
+ private:
+  double fraction(double error);
+
+  double target_error_;
+  Progress progress_;
+  double first_error_ = 0.0;  ///< 0 = no iteration yet
+};
+
+/// The table at the end of a solve; `record` is that of RUN/stats.json.
+std::string solve_summary(const std::string& run_directory, const RunRecord& record);
+
+/// A value of a run record as people read it: counts with thousands, seconds, bytes, percent by the key's end.
+std::string shown_value(const std::string& key, const RunRecord::Value& value);
+
+}  // namespace enfilade

@@ -1,0 +1,153 @@
+#include "clusters/cluster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "clusters/neighbourhood.hpp"
+
+namespace enfilade {
+namespace {
+
+constexpr double coplanar_relative = 1e-5;  // of the cell's diagonal
+
+// The pieces of one cell, and how they are dealt out.
+class CellClusters {
+ public:
+  CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces, const ClusterConfig& config)
+      : scene_(scene), config_(config), pieces_(std::move(pieces)) {
+    for (const CellPiece* piece : pieces_) {
+      polygons_.push_back(&piece->piece.polygon);
+      box_.add(bounds(piece->piece.polygon));
+    }
+    const Vec3 e = box_.extent();
+    max_extent_m_ = config.max_extent_share * std::max({e.x, e.y, e.z});
+  }
+
+  std::vector<Cluster> build() {
+    Group rest = take_large();
+    rest = take_objects(rest);
+    take_neighbours(rest);
+    std::vector<Cluster> clusters;
+    for (Group& group : groups_) clusters.push_back(make(group));
+    std::sort(clusters.begin(), clusters.end(), [](const Cluster& a, const Cluster& b) {
+      const Vec3 p = a.bounds.center(), q = b.bounds.center();
+      return std::tie(p.x, p.y, p.z, a.polygons[0].surface) <
+             std::tie(q.x, q.y, q.z, b.polygons[0].surface);
+    });
+    return clusters;
+  }
+
+ private:
+  const std::string& object_of(std::size_t i) const {
+    return scene_.surfaces[pieces_[i]->piece.surface.index()].object;
+  }
+
+  void add_split(const Group& group, std::size_t max_size) {
+    for (Group& part : split_by_position(polygons_, group, max_size, max_extent_m_)) {
+      std::sort(part.begin(), part.end());
+      groups_.push_back(std::move(part));
+    }
+  }
+
+  // Walls, floors, ceilings: a cluster that mixes them with each other would see everything.
+  Group take_large() {
+    const double long_m = config_.large_share * box_.diagonal();
+    const double tolerance_m = coplanar_relative * box_.diagonal();
+    struct Face {
+      std::string object;
+      Plane plane;
+      Group members;
+    };
+    std::vector<Face> faces;
+    Group rest;
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      if (bounds(*polygons_[i]).diagonal() < long_m) {
+        rest.push_back(i);
+        continue;
+      }
+      const Plane plane = plane_of(*polygons_[i]);
+      const auto fits = [&](const Face& face) {
+        if (face.object != object_of(i) || glm::dot(face.plane.n, plane.n) < 0.0) return false;
+        return std::all_of(polygons_[i]->begin(), polygons_[i]->end(), [&](const Vec3& p) {
+          return std::abs(face.plane.signed_distance(p)) <= tolerance_m;
+        });
+      };
+      auto face = std::find_if(faces.begin(), faces.end(), fits);
+      if (face == faces.end()) face = faces.insert(face, Face{object_of(i), plane, {}});
+      face->members.push_back(i);
+    }
+    for (const Face& face : faces) add_split(face.members, config_.max_polygons);
+    return rest;
+  }
+
+  Group take_objects(const Group& from) {
+    std::map<std::string, Group> objects;
+    Group rest;
+    for (const std::size_t i : from) {
+      if (object_of(i).empty()) {
+        rest.push_back(i);
+      } else {
+        objects[object_of(i)].push_back(i);
+      }
+    }
+    for (const auto& [name, members] : objects) add_split(members, config_.max_polygons);
+    return rest;
+  }
+
+  void take_neighbours(const Group& from) {
+    std::vector<const Polygon*> subset;
+    for (const std::size_t i : from) subset.push_back(polygons_[i]);
+    Group loose;
+    for (Group& group : connected_groups(subset, coplanar_relative * box_.diagonal())) {
+      for (std::size_t& i : group) i = from[i];
+      if (group.size() > 2) {
+        add_split(group, config_.max_polygons);
+      } else {
+        loose.insert(loose.end(), group.begin(), group.end());
+      }
+    }
+    if (!loose.empty()) add_split(loose, std::min(config_.pool_polygons, config_.max_polygons));
+  }
+
+  Cluster make(const Group& group) const {
+    Cluster cluster;
+    cluster.cell = pieces_[group[0]]->cell;
+    cluster.object = object_of(group[0]);
+    for (const std::size_t i : group) {
+      const Piece& piece = pieces_[i]->piece;
+      cluster.polygons.push_back({piece.surface, piece.polygon});
+      cluster.bounds.add(bounds(piece.polygon));
+      cluster.area_m2 += area_m2(piece.polygon);
+      if (object_of(i) != cluster.object) cluster.object.clear();
+    }
+    return cluster;
+  }
+
+  const Scene& scene_;
+  const ClusterConfig& config_;
+  std::vector<const CellPiece*> pieces_;
+  std::vector<const Polygon*> polygons_;
+  Box box_;
+  double max_extent_m_ = 0.0;
+  std::vector<Group> groups_;
+};
+
+}  // namespace
+
+std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
+                                    const ClusterConfig& config) {
+  std::map<CellId, std::vector<const CellPiece*>> by_cell;
+  for (const CellPiece& piece : pieces) by_cell[piece.cell].push_back(&piece);
+  std::vector<Cluster> clusters;
+  for (auto& [cell, members] : by_cell) {
+    for (Cluster& cluster : CellClusters(scene, std::move(members), config).build()) {
+      cluster.id = ClusterId(clusters.size());
+      clusters.push_back(std::move(cluster));
+    }
+  }
+  return clusters;
+}
+
+}  // namespace enfilade

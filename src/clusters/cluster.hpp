@@ -1,0 +1,49 @@
+// Clusters: the unit of storage, ownership, scheduling and visibility (§3.2).
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "cells/cell_complex.hpp"
+#include "scene/scene.hpp"
+
+namespace enfilade {
+
+/// A convex polygon of a cluster, and the scene's surface it comes from.
+struct ClusterPolygon {
+  SurfaceId surface;
+  Polygon polygon;
+};
+
+/// Polygons of one cell: an object, a polygon, or neighbouring polygons.
+struct Cluster {
+  ClusterId id;
+  CellId cell;
+  std::string object;  ///< the scene's object that it comes from; empty where it is of several
+  std::vector<ClusterPolygon> polygons;
+  Box bounds;
+  double area_m2 = 0.0;
+};
+
+struct ClusterConfig {
+  std::size_t max_polygons = 64;    ///< larger objects are split by position
+  double max_extent_share = 0.0;    ///< longest side as a share of the cell's; 0 = no limit
+  double large_share = 0.25;        ///< polygons longer than this share of the cell are not mixed with others
+  std::size_t pool_polygons = 16;   ///< loose single polygons are pooled by neighbourhood up to this many
+};
+
+/// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of their object
+/// and plane, then the file's objects, then what hangs together, then what lies close. Ids go by cell,
+/// then by position. Every cluster lies in one cell, every cell piece in exactly one cluster.
+std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
+                                    const ClusterConfig& config);
+
+/// The clusters as they are kept in a run's directory (versioned, in this machine's byte order).
+std::string to_bytes(std::span<const Cluster> clusters);
+/// Throws RunError where the bytes are not clusters of this version.
+std::vector<Cluster> clusters_from_bytes(std::string_view bytes);
+
+}  // namespace enfilade

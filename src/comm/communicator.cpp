@@ -1,0 +1,208 @@
+// MPI behind Communicator. One receive for any message is always posted: looking for a message is a test of
+// it, waiting is a wait for it, and both are cheap under SMPI, where probing would poll in simulated time.
+#include "comm/communicator.hpp"
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <deque>
+#include <iostream>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+void check(int code, const char* call) {
+  if (code == MPI_SUCCESS) return;
+  char text[MPI_MAX_ERROR_STRING] = {};
+  int length = 0;
+  MPI_Error_string(code, text, &length);
+  throw RunError(std::string(call) + " failed: " + std::string(text, static_cast<std::size_t>(length)));
+}
+
+/// A message on its way: its bytes must stay until MPI has taken them.
+struct Pending {
+  std::vector<std::byte> bytes;
+  MPI_Request request = MPI_REQUEST_NULL;
+};
+
+}  // namespace
+
+struct Communicator::Impl {
+  MPI_Comm comm = MPI_COMM_NULL;
+  int rank = 0, size = 1;
+  std::deque<Pending> sending;
+  MessageCount sent;
+  std::vector<std::byte> inbox = std::vector<std::byte>(1 << 20);
+  MPI_Request receiving = MPI_REQUEST_NULL;
+
+  void post() {
+    check(MPI_Irecv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, MPI_ANY_SOURCE, MPI_ANY_TAG, comm,
+                    &receiving),
+          "MPI_Irecv");
+  }
+  void start(int to, Tag tag, std::vector<std::byte> bytes) {
+    ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
+    Pending& p = sending.emplace_back(Pending{std::move(bytes), MPI_REQUEST_NULL});
+    check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to, static_cast<int>(tag),
+                    comm, &p.request),
+          "MPI_Isend");
+  }
+  void send(Rank to, Tag tag, std::vector<std::byte> bytes) {
+    ++sent.messages;
+    sent.bytes += bytes.size();
+    start(to.value, tag, std::move(bytes));
+  }
+  Received take(const MPI_Status& status) {
+    int count = 0;
+    check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
+    const std::span<const std::byte> bytes(inbox.data(), static_cast<std::size_t>(count));
+    Received received{Rank{status.MPI_SOURCE}, decode(static_cast<Tag>(status.MPI_TAG), bytes)};
+    post();
+    return received;
+  }
+  /// Takes back the posted receive: by a message to oneself, which works everywhere.
+  void withdraw() {
+    start(rank, Tag::stop, {});
+    check(MPI_Wait(&receiving, MPI_STATUS_IGNORE), "MPI_Wait");
+    finish();
+  }
+  void finish() {
+    while (!sending.empty()) {
+      check(MPI_Wait(&sending.front().request, MPI_STATUS_IGNORE), "MPI_Wait");
+      sending.pop_front();
+    }
+  }
+};
+
+int exit_status_of(const std::exception& error) {
+  if (const auto* peer = dynamic_cast<const PeerFailure*>(&error)) return peer->exit_status();
+  return dynamic_cast<const InputError*>(&error) != nullptr ? 2 : 1;
+}
+
+Communicator::Communicator(int& argc, char**& argv) : impl_(std::make_unique<Impl>()) {
+  check(MPI_Init(&argc, &argv), "MPI_Init");
+  check(MPI_Comm_dup(MPI_COMM_WORLD, &impl_->comm), "MPI_Comm_dup");
+  check(MPI_Comm_set_errhandler(impl_->comm, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+  check(MPI_Comm_rank(impl_->comm, &impl_->rank), "MPI_Comm_rank");
+  check(MPI_Comm_size(impl_->comm, &impl_->size), "MPI_Comm_size");
+  impl_->post();
+}
+
+Communicator::~Communicator() {
+  try {
+    impl_->withdraw();
+    MPI_Comm_free(&impl_->comm);
+    MPI_Finalize();
+  } catch (const std::exception&) {
+    // The run is over: nothing can be done about a broken farewell.
+  }
+}
+
+Rank Communicator::rank() const { return Rank{impl_->rank}; }
+int Communicator::size() const { return impl_->size; }
+const MessageCount& Communicator::sent() const { return impl_->sent; }
+
+void Communicator::limit_message_bytes(std::size_t bytes) {
+  impl_->withdraw();
+  impl_->inbox.assign(bytes, std::byte{0});
+  impl_->post();
+}
+
+void Communicator::send(Rank to, const StealRequest& request) {
+  impl_->send(to, Tag::steal_request, encode(request));
+}
+void Communicator::send(Rank to, const StealReply& reply) {
+  impl_->send(to, Tag::steal_reply, encode(reply));
+}
+void Communicator::send(Rank to, const Token& token) { impl_->send(to, Tag::token, encode(token)); }
+void Communicator::send(Rank to, const Verdict& verdict) {
+  impl_->send(to, Tag::verdict, encode(verdict));
+}
+
+std::optional<Received> Communicator::poll() {
+  int arrived = 0;
+  MPI_Status status;
+  check(MPI_Test(&impl_->receiving, &arrived, &status), "MPI_Test");
+  if (arrived == 0) return std::nullopt;
+  return impl_->take(status);
+}
+
+Received Communicator::receive(Machine& machine) {
+  if (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
+    MPI_Status status;
+    check(MPI_Wait(&impl_->receiving, &status), "MPI_Wait");
+    return impl_->take(status);
+  }
+  for (int turn = 0;; ++turn) {
+    if (auto received = poll()) return std::move(*received);
+    machine.pause(turn);
+  }
+}
+
+void Communicator::finish_sends() { impl_->finish(); }
+
+void Communicator::barrier() { check(MPI_Barrier(impl_->comm), "MPI_Barrier"); }
+
+std::string Communicator::broadcast(const std::string& text) {
+  auto length = static_cast<unsigned long long>(text.size());
+  check(MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, impl_->comm), "MPI_Bcast");
+  std::string result = text;
+  result.resize(static_cast<std::size_t>(length));
+  constexpr std::size_t most = std::size_t{1} << 30;  // MPI counts in int
+  for (std::size_t at = 0; at < result.size(); at += most) {
+    const auto part = static_cast<int>(std::min(most, result.size() - at));
+    check(MPI_Bcast(result.data() + at, part, MPI_CHAR, 0, impl_->comm), "MPI_Bcast");
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> Communicator::gather(std::span<const double> numbers) {
+  const int mine = static_cast<int>(numbers.size());
+  const auto ranks = static_cast<std::size_t>(impl_->size);
+  std::vector<int> counts(ranks), offsets(ranks);
+  check(MPI_Gather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, impl_->comm), "MPI_Gather");
+  std::size_t total = 0;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    offsets[r] = static_cast<int>(total);
+    total += static_cast<std::size_t>(counts[r]);
+  }
+  std::vector<double> all(root() ? total : 0);
+  check(MPI_Gatherv(numbers.data(), mine, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE, 0,
+                    impl_->comm),
+        "MPI_Gatherv");
+  std::vector<std::vector<double>> result;
+  if (!root()) return result;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    const auto first = all.begin() + offsets[r];
+    result.emplace_back(first, first + counts[r]);
+  }
+  return result;
+}
+
+void Communicator::on_root(const std::function<void()>& work) {
+  int status = 0;
+  std::exception_ptr failure;
+  if (root()) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      status = exit_status_of(error);
+      failure = std::current_exception();
+    }
+  }
+  check(MPI_Bcast(&status, 1, MPI_INT, 0, impl_->comm), "MPI_Bcast");
+  if (failure) std::rethrow_exception(failure);
+  if (status != 0) throw PeerFailure(status);
+}
+
+void Communicator::abort(int exit_status, bool simulated) {
+  std::cout.flush();
+  std::cerr.flush();
+  // All simulated ranks are one process, and SMPI's MPI_Abort would end it with status 0.
+  if (!simulated) MPI_Abort(impl_->comm, exit_status);
+  std::_Exit(exit_status);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,87 @@
+// The ranks of a run and the messages between them: the only room that calls MPI. Compiled once against Open
+// MPI and once against SimGrid's SMPI, from the same sources.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "comm/messages.hpp"
+#include "machine/machine.hpp"
+
+namespace enfilade {
+
+/// Another rank failed and has told its user; this one ends quietly with the same exit status.
+class PeerFailure : public std::runtime_error {
+ public:
+  explicit PeerFailure(int exit_status)
+      : std::runtime_error("another rank failed"), exit_status_(exit_status) {}
+  int exit_status() const { return exit_status_; }
+
+ private:
+  int exit_status_;
+};
+
+/// 2 for bad input, 1 for a run that broke.
+int exit_status_of(const std::exception& error);
+
+/// Point-to-point messages sent by this rank, and their payload.
+struct MessageCount {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;
+};
+
+/// One a process, made first thing in main(). An MPI call that fails throws RunError.
+class Communicator {
+ public:
+  Communicator(int& argc, char**& argv);
+  ~Communicator();
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
+
+  Rank rank() const;
+  int size() const;
+  bool root() const { return rank().value == 0; }
+  /// The next rank in the ring of §3.3.4.
+  Rank successor() const { return Rank{(rank().value + 1) % size()}; }
+
+  /// Never blocks: the bytes are kept until they are gone.
+  void send(Rank to, const StealRequest& request);
+  void send(Rank to, const StealReply& reply);
+  void send(Rank to, const Token& token);
+  void send(Rank to, const Verdict& verdict);
+  /// The next message from anybody, if there is one now.
+  std::optional<Received> poll();
+  /// Waits for the next message from anybody; pauses as the machine sees fit.
+  Received receive(Machine& machine);
+  /// Waits until all that this rank has sent has left. Only when its receivers are sure to take it.
+  void finish_sends();
+  const MessageCount& sent() const;
+  /// No message may be longer; 1 MiB unless told. Same on all ranks, before the first message.
+  void limit_message_bytes(std::size_t bytes);
+
+  /// Collective operations, for the start and the end of a run: all ranks call them.
+  void barrier();
+  /// Rank 0's text, on every rank.
+  std::string broadcast(const std::string& text);
+  /// On rank 0 everybody's numbers, by rank; elsewhere empty.
+  std::vector<std::vector<double>> gather(std::span<const double> numbers);
+  /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error and all
+  /// others throw PeerFailure, so that one line is printed and all leave in order.
+  void on_root(const std::function<void()>& work);
+
+  /// Ends all ranks of the run at once with this exit status, from any of them.
+  [[noreturn]] void abort(int exit_status, bool simulated);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace enfilade

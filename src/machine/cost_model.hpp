@@ -1,0 +1,53 @@
+// What counted work and bytes cost on a simulated host: the one place where they are priced.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/work_count.hpp"
+#include "machine/machine.hpp"
+
+namespace enfilade {
+
+/// Flops an operation, by the kinds of WorkCount. The defaults are those of platforms/cost_model.json.
+struct FlopCosts {
+  double ray = 3000.0;
+  double form_factor = 300.0;
+  double kernel = 40.0;
+  double link_refined = 400.0;
+  double link_gathered = 30.0;
+  double patch = 300.0;
+  double push_pull = 40.0;
+  double shaft = 1500.0;
+  double byte_read = 4.0;     ///< decoding, checksum, copy out of the network
+  double byte_written = 4.0;
+};
+
+/// One request at a disk: wait for the arm, seek, transfer (the platform's bandwidth).
+struct DiskCosts {
+  double seek_s = 0.012;
+  double request_s = 0.001;               ///< of the client: call and answer, beside the wire's own latency
+  std::uint64_t request_bytes = 1 << 20;  ///< a longer transfer queues for the arm again
+};
+
+/// Records of the modelled program; 0 = the true size of this one's.
+struct RecordSizes {
+  std::uint64_t surface_bytes = 0, patch_bytes = 0, link_bytes = 0;
+};
+
+struct CostModel {
+  FlopCosts flops;
+  DiskCosts disk;
+  RecordSizes records;
+};
+
+/// Throws InputError that names the key for an unknown, missing or negative figure.
+CostModel read_cost_model(const std::string& path);
+
+double price_flops(const CostModel& model, const WorkCount& work);
+std::uint64_t price_record(const CostModel& model, const RecordCount& count);
+
+/// "256M" -> bytes; suffixes K, M, G (powers of 1024). Throws InputError(file, where, ...).
+std::uint64_t parse_bytes(const std::string& text, const std::string& file, const std::string& where);
+
+}  // namespace enfilade

@@ -1,0 +1,53 @@
+// The real machine: work and bytes take the time that they take.
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "machine/cost_model.hpp"
+#include "machine/machine.hpp"
+
+namespace enfilade {
+namespace {
+
+class RealMachine final : public Machine {
+ public:
+  void compute(const WorkCount&) override {}
+  void read(Disk, std::uint64_t, std::uint64_t) override {}
+  void write(Disk, std::uint64_t, std::uint64_t) override {}
+  void move_to_common(std::uint64_t, std::uint64_t) override {}
+  std::uint64_t record_bytes(const RecordCount& count) const override { return count.bytes; }
+  std::uint64_t memory_bytes() const override { return 0; }
+
+  double now_s() const override {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  // A rank that waits must leave its core to one that works, where there are more ranks than cores.
+  void pause(int turn) override {
+    if (turn < 20) {
+      sched_yield();
+    } else {
+      std::this_thread::sleep_for(std::chrono::microseconds(std::min(turn, 400)));
+    }
+  }
+  bool simulated() const override { return false; }
+  std::string host() const override {
+    char name[256] = {};
+    return gethostname(name, sizeof name - 1) == 0 ? name : "localhost";
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
+  // A real run has no use for the costs, but a bad file is refused on either machine.
+  if (!cost_model_file.empty()) read_cost_model(cost_model_file);
+  return std::make_unique<RealMachine>();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,141 @@
+// A host of a simulated cluster: the only file that names SimGrid. Time passes only by what is charged here
+// and by the messages; never by the wall clock, so that a simulation repeats to the byte.
+#include <simgrid/s4u.hpp>
+#include <smpi/smpi.h>
+#include <xbt/log.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/error.hpp"
+#include "machine/cost_model.hpp"
+#include "machine/machine.hpp"
+
+namespace enfilade {
+namespace {
+
+namespace s4u = simgrid::s4u;
+
+/// The arm of a disk: first come, first served. All ranks share one address space, so it hangs on the disk
+/// itself, where every rank finds it.
+struct DiskArm {
+  s4u::MutexPtr queue = s4u::Mutex::create();
+};
+
+DiskArm& arm_of(s4u::Disk& disk) {
+  if (disk.get_data<DiskArm>() == nullptr) disk.set_data(new DiskArm);  // lives as long as the simulation
+  return *disk.get_data<DiskArm>();
+}
+
+/// A disk and the host that it hangs on.
+struct Server {
+  s4u::Host* host = nullptr;
+  s4u::Disk* disk = nullptr;
+};
+
+std::vector<Server> common_servers() {
+  std::vector<Server> servers;
+  for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
+    const char* serves = host->get_property("serves");
+    if (serves == nullptr || std::string(serves) != "common") continue;
+    for (s4u::Disk* disk : host->get_disks()) servers.push_back({host, disk});
+  }
+  if (servers.empty()) {
+    throw InputError("platform", "hosts", "no host with a disk has the property serves=\"common\"",
+                     "name the NFS server as platforms/README.md shows");
+  }
+  return servers;
+}
+
+class SimulatedMachine final : public Machine {
+ public:
+  explicit SimulatedMachine(const CostModel& costs)
+      : costs_(costs), here_(s4u::this_actor::get_host()), common_(common_servers()) {
+    if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front()};
+    if (const char* memory = here_->get_property("memory")) {
+      // All ranks were placed before the first one ran: those of one host share its memory.
+      const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());
+      memory_bytes_ = parse_bytes(memory, "platform", "host " + here_->get_name() + ": memory") / ranks;
+    }
+  }
+
+  void compute(const WorkCount& work) override { execute(price_flops(costs_, work)); }
+
+  void read(Disk disk, std::uint64_t file, std::uint64_t bytes) override {
+    transfer(server_of(disk, file), bytes, /*reading=*/true);
+    execute(costs_.flops.byte_read * static_cast<double>(bytes));
+  }
+  void write(Disk disk, std::uint64_t file, std::uint64_t bytes) override {
+    execute(costs_.flops.byte_written * static_cast<double>(bytes));
+    transfer(server_of(disk, file), bytes, /*reading=*/false);
+  }
+  void move_to_common(std::uint64_t file, std::uint64_t bytes) override {
+    const Server from = server_of(Disk::local, file), to = server_of(Disk::common, file);
+    if (from.disk == to.disk) {
+      request(to, 0, false);  // a new name for the file
+    } else {
+      transfer(from, bytes, true);
+      transfer(to, bytes, false);
+    }
+  }
+  std::uint64_t record_bytes(const RecordCount& count) const override {
+    return price_record(costs_, count);
+  }
+  std::uint64_t memory_bytes() const override { return memory_bytes_; }
+  double now_s() const override { return s4u::Engine::get_clock(); }
+  void pause(int turn) override { s4u::this_actor::sleep_for(1e-6 * std::min(turn + 1, 1000)); }
+  bool simulated() const override { return true; }
+  std::string host() const override { return here_->get_name(); }
+
+ private:
+  static void execute(double flops) {
+    if (flops > 0.0) smpi_execute_flops(flops);
+  }
+  /// Files are spread over the common disks by their number; a host without a disk has its local directory
+  /// on the common one, as the paper's hosts had.
+  Server server_of(Disk disk, std::uint64_t file) const {
+    if (disk == Disk::local && local_.disk != nullptr) return local_;
+    return common_[file % common_.size()];
+  }
+  void transfer(const Server& server, std::uint64_t bytes, bool reading) const {
+    do {
+      const std::uint64_t part = std::min(bytes, costs_.disk.request_bytes);
+      request(server, part, reading);
+      bytes -= part;
+    } while (bytes > 0);
+  }
+  /// Reading: arm, then wire. Writing: wire, then arm.
+  void request(const Server& server, std::uint64_t bytes, bool reading) const {
+    const bool remote = server.host != here_;
+    if (remote) s4u::this_actor::sleep_for(costs_.disk.request_s);
+    if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
+    const s4u::MutexPtr queue = arm_of(*server.disk).queue;
+    queue->lock();
+    s4u::this_actor::sleep_for(costs_.disk.seek_s);
+    if (bytes > 0 && reading) server.disk->read(static_cast<sg_size_t>(bytes));
+    if (bytes > 0 && !reading) server.disk->write(static_cast<sg_size_t>(bytes));
+    queue->unlock();
+    if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
+  }
+
+  CostModel costs_;
+  s4u::Host* here_;
+  std::vector<Server> common_;
+  Server local_;
+  std::uint64_t memory_bytes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
+  // Only what is charged counts, whatever smpirun's command line said; and looking for a message is as
+  // cheap as it is on a real machine.
+  xbt_log_control_set("xbt_cfg.thres:warning");
+  s4u::Engine::set_config("smpi/simulate-computation:no");
+  s4u::Engine::set_config("smpi/test:1e-7");
+  s4u::Engine::set_config("smpi/grow-injected-times:no");
+  return std::make_unique<SimulatedMachine>(cost_model_file.empty() ? CostModel{}
+                                                                    : read_cost_model(cost_model_file));
+}
+
+}  // namespace enfilade

@@ -1,0 +1,36 @@
+#include "parallel/dialogue.hpp"
+
+namespace enfilade {
+
+void Dialogue::start(int iteration) {
+  iteration_ = iteration;
+  std::deque<Early> early;
+  early.swap(early_);
+  for (const Early& e : early) reply(e.from, e.request);
+}
+
+void Dialogue::look() {
+  while (auto received = communicator_.poll()) take(std::move(*received));
+}
+
+void Dialogue::take(Received received) {
+  if (auto* request = std::get_if<StealRequest>(&received.message)) {
+    reply(received.from, *request);
+  } else if (auto* answer = std::get_if<StealReply>(&received.message)) {
+    std::get<std::deque<StealReply>>(shelves_).push_back(*answer);
+  } else if (auto* token = std::get_if<Token>(&received.message)) {
+    std::get<std::deque<Token>>(shelves_).push_back(std::move(*token));
+  } else {
+    std::get<std::deque<Verdict>>(shelves_).push_back(std::move(std::get<Verdict>(received.message)));
+  }
+}
+
+void Dialogue::reply(Rank thief, const StealRequest& request) {
+  if (request.iteration > iteration_) {  // the verdict is still on its way round the ring to this rank
+    early_.push_back({thief, request});
+    return;
+  }
+  communicator_.send(thief, StealReply{tasks_.give(request.resident).value_or(ClusterId{})});
+}
+
+}  // namespace enfilade

@@ -1,0 +1,140 @@
+// Plans and sums as plain numbers, for the token, the verdict and the manifest.
+#include "base/error.hpp"
+#include "parallel/iteration_plan.hpp"
+
+namespace enfilade {
+namespace {
+
+double number(std::uint64_t count) { return static_cast<double>(count); }
+std::uint64_t count(double number) { return static_cast<std::uint64_t>(number); }
+
+/// Hands out numbers one by one.
+class Numbers {
+ public:
+  explicit Numbers(std::span<const double> numbers) : numbers_(numbers) {}
+  double next() {
+    if (numbers_.empty()) throw RunError("a record of an iteration is cut short; solve again without --resume");
+    const double value = numbers_.front();
+    numbers_ = numbers_.subspan(1);
+    return value;
+  }
+  std::uint64_t next_count() { return count(next()); }
+  std::span<const double> rest() const { return numbers_; }
+
+ private:
+  std::span<const double> numbers_;
+};
+
+constexpr std::size_t plan_numbers = 6;
+
+}  // namespace
+
+void add(IterationSums& sums, const IterationSums& part) {
+  sums.max_change = std::max(sums.max_change, part.max_change);
+  sums.change_power += part.change_power;
+  sums.received_power += part.received_power;
+  sums.link_error_power += part.link_error_power;
+  sums.patches += part.patches;
+  sums.links += part.links;
+  sums.steals += part.steals;
+  sums.steal_requests += part.steal_requests;
+  if (sums.absorbed_power.size() < part.absorbed_power.size()) {
+    sums.absorbed_power.resize(part.absorbed_power.size(), 0.0);
+  }
+  for (std::size_t b = 0; b < part.absorbed_power.size(); ++b) sums.absorbed_power[b] += part.absorbed_power[b];
+  sums.work += part.work;
+}
+
+Token to_token(const IterationSums& s) {
+  Token token;
+  token.maxima = {s.max_change};
+  token.sums = {s.change_power,
+                s.received_power,
+                s.link_error_power,
+                number(s.patches),
+                number(s.links),
+                number(s.steals),
+                number(s.steal_requests),
+                number(s.work.rays),
+                number(s.work.form_factors),
+                number(s.work.kernels),
+                number(s.work.links_refined),
+                number(s.work.links_gathered),
+                number(s.work.patches),
+                number(s.work.push_pulls),
+                number(s.work.shafts),
+                number(s.work.bytes_read),
+                number(s.work.bytes_written)};
+  token.sums.insert(token.sums.end(), s.absorbed_power.begin(), s.absorbed_power.end());
+  return token;
+}
+
+IterationSums sums_from(const Token& token) {
+  IterationSums s;
+  Numbers maxima(token.maxima), sums(token.sums);
+  s.max_change = maxima.next();
+  s.change_power = sums.next();
+  s.received_power = sums.next();
+  s.link_error_power = sums.next();
+  s.patches = sums.next_count();
+  s.links = sums.next_count();
+  s.steals = sums.next_count();
+  s.steal_requests = sums.next_count();
+  s.work.rays = sums.next_count();
+  s.work.form_factors = sums.next_count();
+  s.work.kernels = sums.next_count();
+  s.work.links_refined = sums.next_count();
+  s.work.links_gathered = sums.next_count();
+  s.work.patches = sums.next_count();
+  s.work.push_pulls = sums.next_count();
+  s.work.shafts = sums.next_count();
+  s.work.bytes_read = sums.next_count();
+  s.work.bytes_written = sums.next_count();
+  s.absorbed_power.assign(sums.rest().begin(), sums.rest().end());
+  return s;
+}
+
+std::vector<double> to_numbers(const IterationPlan& plan) {
+  return {static_cast<double>(plan.iteration),  plan.link_tolerance, plan.refine ? 1.0 : 0.0,
+          plan.close_rows ? 1.0 : 0.0,          plan.finished ? 1.0 : 0.0,
+          plan.converged ? 1.0 : 0.0};
+}
+
+IterationPlan plan_from(std::span<const double> numbers) {
+  Numbers n(numbers);
+  IterationPlan plan;
+  plan.iteration = static_cast<int>(n.next());
+  plan.link_tolerance = n.next();
+  plan.refine = n.next() != 0.0;
+  plan.close_rows = n.next() != 0.0;
+  plan.finished = n.next() != 0.0;
+  plan.converged = n.next() != 0.0;
+  return plan;
+}
+
+std::vector<double> to_numbers(const IterationSummary& summary) {
+  std::vector<double> numbers = to_numbers(summary.plan);
+  numbers.push_back(summary.missing_power);
+  numbers.push_back(summary.estimated_error);
+  numbers.push_back(summary.time_s);
+  const Token token = to_token(summary.sums);
+  numbers.insert(numbers.end(), token.maxima.begin(), token.maxima.end());
+  numbers.insert(numbers.end(), token.sums.begin(), token.sums.end());
+  return numbers;
+}
+
+IterationSummary summary_from(std::span<const double> numbers) {
+  IterationSummary summary;
+  summary.plan = plan_from(numbers);
+  Numbers n(numbers.subspan(plan_numbers));
+  summary.missing_power = n.next();
+  summary.estimated_error = n.next();
+  summary.time_s = n.next();
+  Token token;
+  token.maxima = {n.next()};
+  token.sums.assign(n.rest().begin(), n.rest().end());
+  summary.sums = sums_from(token);
+  return summary;
+}
+
+}  // namespace enfilade

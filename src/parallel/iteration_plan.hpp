@@ -1,0 +1,72 @@
+// What an iteration is told to do, what it did, and what follows from that.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/work_count.hpp"
+#include "comm/messages.hpp"
+#include "radiosity/gather.hpp"
+
+namespace enfilade {
+
+/// Decided on rank 0, sent with the second tour of the token; the same on every rank.
+struct IterationPlan {
+  int iteration = 1;            ///< the one that the plan is for; 0 is the state before the first
+  double link_tolerance = 0.0;  ///< GatherConfig::link_tolerance
+  bool refine = true;
+  bool close_rows = false;      ///< GatherConfig::close_rows
+  bool finished = false;        ///< there is no such iteration: the run ends
+  bool converged = false;       ///< it ends because it is good enough, not because it gave up
+};
+
+/// Sums over all clusters of one iteration, as the token brought them round.
+struct IterationSums {
+  double max_change = 0.0;        ///< max |B(k) - B(k-1)|, the paper's T (§3.3.4)
+  double change_power = 0.0;      ///< sum of area |B(k) - B(k-1)|
+  double received_power = 0.0;    ///< sum of area * irradiance
+  double link_error_power = 0.0;  ///< sum of the links' estimated errors
+  std::uint64_t patches = 0, links = 0;
+  std::uint64_t steals = 0, steal_requests = 0;
+  Spectrum absorbed_power;        ///< per band
+  WorkCount work;                 ///< of this iteration
+};
+/// Folds one part (a cluster's, a rank's) into another.
+void add(IterationSums& sums, const IterationSums& part);
+
+/// One committed iteration.
+struct IterationSummary {
+  IterationPlan plan;
+  IterationSums sums;
+  double missing_power = 0.0;    ///< what the coarse system says the iteration still lacked
+  double estimated_error = 0.0;  ///< of the irradiance, relative, area-weighted L1
+  double time_s = 0.0;           ///< since the start of the solve: wall clock or simulated
+};
+
+struct PlanConfig {
+  double emitted_power = 0.0;    ///< worst band; what epsilon is relative to
+  double epsilon = 0.0;          ///< link tolerance over emitted power; 0 = from target_error
+  double tolerance = 0.0;        ///< stop below this change_power / received_power; 0 = from target_error
+  double target_error = 0.02;
+  int max_iterations = 200;
+};
+
+/// Plan of iteration 1.
+IterationPlan first_plan(const PlanConfig& config);
+/// Plan of the iteration after the last of `history` (all iterations so far, in order). Pure.
+IterationPlan next_plan(std::span<const IterationSummary> history, const PlanConfig& config);
+/// Share of the change that one iteration passes on to the next; 0 where there is no telling yet.
+double contraction(std::span<const IterationSummary> history);
+/// Discretisation plus iteration error of the last of `history`, relative to the received power.
+double estimate_error(std::span<const IterationSummary> history);
+
+/// To and from the messages and the manifest. `*_from` throw RunError for numbers that are none.
+Token to_token(const IterationSums& sums);
+IterationSums sums_from(const Token& token);
+std::vector<double> to_numbers(const IterationPlan& plan);
+IterationPlan plan_from(std::span<const double> numbers);
+std::vector<double> to_numbers(const IterationSummary& summary);
+IterationSummary summary_from(std::span<const double> numbers);
+
+}  // namespace enfilade

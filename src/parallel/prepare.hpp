@@ -1,0 +1,48 @@
+// From a scene to a RUN directory: pieces, cells, clusters, G_cluster (§3.2). One rank's work.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/warnings.hpp"
+#include "cells/cell_complex.hpp"
+#include "clusters/cluster.hpp"
+#include "comm/communicator.hpp"
+#include "scene/scene.hpp"
+#include "visibility/cluster_graph.hpp"
+
+namespace enfilade {
+
+struct PrepareConfig {
+  CellComplex::Config cells;
+  ClusterConfig clusters;
+};
+
+/// What every rank holds of a RUN: all but the light.
+struct Prepared {
+  Scene scene;
+  CellComplex cells;
+  std::vector<Cluster> clusters;
+  ClusterGraph graph;
+  double prepare_s = 0.0;        ///< wall seconds that the preparation took
+  double covered_area_m2 = 0.0;  ///< of surfaces covered by coplanar ones
+};
+
+/// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and drops
+/// whatever solution it held. Nothing is written where the scene is bad.
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings, const Progress& progress = {});
+/// Throws InputError where RUN is not a prepared run.
+Prepared load_prepared(const std::string& run_directory);
+/// Is `run_directory` prepared (for the scene with this hash; 0 = for any)?
+bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash = 0);
+
+/// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, that is kept);
+/// then every rank has it. `scene_file` may be empty: RUN must be prepared then.
+Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
+                         const std::string& run_directory, const PrepareConfig& config,
+                         Warnings& warnings, const Progress& progress = {});
+
+}  // namespace enfilade

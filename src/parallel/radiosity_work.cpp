@@ -1,0 +1,109 @@
+#include "parallel/radiosity_work.hpp"
+
+#include <algorithm>
+
+namespace enfilade {
+namespace {
+
+std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
+  const auto most = std::max_element(group_of_cluster.begin(), group_of_cluster.end());
+  return most == group_of_cluster.end() ? 0 : *most + 1;
+}
+
+}  // namespace
+
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank, Machine& machine,
+                             const RadiosityWorkConfig& config)
+    : prepared_(prepared),
+      machine_(machine),
+      config_(config),
+      store_(layout, rank, prepared.clusters.size(), machine),
+      resident_(store_, machine, config.memory_bytes),
+      occluders_(prepared.clusters),
+      group_of_cluster_(coarse_groups(prepared.clusters)),
+      groups_(count_groups(group_of_cluster_)),
+      bands_(static_cast<std::size_t>(prepared.scene.bands)),
+      coarse_(groups_, bands_) {}
+
+std::size_t RadiosityWork::most_coarse_numbers() const {
+  return 16 + groups_ * (groups_ * (1 + 2 * bands_) + 2 * bands_ + 2);
+}
+
+void RadiosityWork::initialise(std::span<const ClusterId> own) {
+  for (const ClusterId id : own) {
+    ClusterState state(prepared_.clusters[id.index()], prepared_.scene, config_.basis);
+    store_.write_initial(state);
+    resident_.adopt(std::move(state));
+  }
+}
+
+void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> offsets) {
+  store_.set_committed(plan.iteration - 1);
+  coarse_ = CoarseSystem(groups_, bands_);
+  resident_.set_correction(
+      [this, own = std::vector<double>(offsets.begin(), offsets.end())](ClusterState& state) {
+        if (own.empty()) return;
+        state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
+      });
+  gather_config_.iteration = plan.iteration;
+  gather_config_.link_tolerance = plan.link_tolerance;
+  gather_config_.refine = plan.refine;
+  gather_config_.close_rows = plan.close_rows;
+  gather_config_.max_depth = config_.max_depth;
+  gather_config_.min_area_m2 = config_.min_area_m2;
+}
+
+IterationSums RadiosityWork::gather(ClusterId receiver) {
+  ClusterState& state = resident_.pin_receiver(receiver);
+  std::vector<const ClusterState*> shooters;
+  for (const std::uint32_t n : prepared_.graph.neighbours(receiver.index())) {
+    shooters.push_back(&resident_.pin_shooter(ClusterId(n)));
+  }
+  const GatherResult result =
+      enfilade::gather(state, shooters, prepared_.scene.lights, occluders_, gather_config_);
+  machine_.compute(result.work);
+  coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
+  resident_.write_receiver(receiver);
+
+  IterationSums sums;
+  sums.max_change = result.max_change;
+  sums.change_power = result.change_power;
+  sums.received_power = result.received_power;
+  sums.link_error_power = result.link_error_power;
+  sums.absorbed_power = result.absorbed_power;
+  sums.work = result.work;
+  sums.patches = state.patches().size();
+  sums.links = state.links().size();
+  resident_.unpin();
+  return sums;
+}
+
+std::vector<double> RadiosityWork::merge(std::span<const double> a, std::span<const double> b) const {
+  CoarseSystem sum = CoarseSystem::from_numbers(a);
+  sum.merge(CoarseSystem::from_numbers(b));
+  return sum.to_numbers();
+}
+
+Correction RadiosityWork::correct(std::span<const double> coarse) const {
+  const CoarseSystem system = CoarseSystem::from_numbers(coarse);
+  Correction correction;
+  correction.offsets = system.solve();
+  correction.missing_power = system.power(correction.offsets);
+  return correction;
+}
+
+void RadiosityWork::commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
+                           bool finished) {
+  Manifest manifest;
+  manifest.iteration = history.empty() ? 0 : history.back().plan.iteration;
+  manifest.clusters = prepared_.clusters.size();
+  manifest.basis = config_.basis;
+  manifest.scene_hash = prepared_.scene.hash;
+  manifest.finished = finished;
+  manifest.correction.assign(offsets.begin(), offsets.end());
+  for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
+  const PhaseScope phase(machine_, Phase::commit);
+  commit_manifest(store_.layout(), manifest);
+}
+
+}  // namespace enfilade

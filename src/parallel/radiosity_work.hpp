@@ -1,0 +1,61 @@
+// The real work: hierarchical radiosity on clusters from the store.
+#pragma once
+
+#include <vector>
+
+#include "machine/machine.hpp"
+#include "parallel/cluster_work.hpp"
+#include "parallel/prepare.hpp"
+#include "radiosity/coarse_correction.hpp"
+#include "radiosity/occluders.hpp"
+#include "store/cluster_store.hpp"
+#include "store/manifest.hpp"
+#include "store/resident_clusters.hpp"
+
+namespace enfilade {
+
+struct RadiosityWorkConfig {
+  Basis basis = Basis::linear;
+  int max_depth = 20;
+  double min_area_m2 = 0.0;
+  std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
+};
+
+class RadiosityWork final : public ClusterWork {
+ public:
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank, Machine& machine,
+                const RadiosityWorkConfig& config);
+
+  /// Makes these clusters as they are before the first iteration, and their files.
+  void initialise(std::span<const ClusterId> own);
+  void set_next_use(ResidentClusters::NextUse next_use) { resident_.set_next_use(std::move(next_use)); }
+
+  void begin(const IterationPlan& plan, std::span<const double> offsets) override;
+  IterationSums gather(ClusterId receiver) override;
+  std::vector<ClusterId> resident() const override { return resident_.resident(); }
+  void move_to_common() override { store_.move_to_common(); }
+  std::vector<double> coarse() const override { return coarse_.to_numbers(); }
+  std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
+  Correction correct(std::span<const double> coarse) const override;
+  void commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
+              bool finished) override;
+
+  /// Longest that coarse() can be, in numbers.
+  std::size_t most_coarse_numbers() const;
+  const StoreCount& store_count() const { return store_.count(); }
+  const ResidencyCount& residency_count() const { return resident_.count(); }
+
+ private:
+  const Prepared& prepared_;
+  Machine& machine_;
+  RadiosityWorkConfig config_;
+  ClusterStore store_;
+  ResidentClusters resident_;
+  Occluders occluders_;
+  GatherConfig gather_config_;
+  std::vector<std::uint32_t> group_of_cluster_;
+  std::size_t groups_ = 0, bands_ = 1;
+  CoarseSystem coarse_;
+};
+
+}  // namespace enfilade

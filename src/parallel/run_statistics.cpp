@@ -1,0 +1,109 @@
+#include "parallel/run_statistics.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// One column of the ranks' numbers.
+std::vector<double> column(const std::vector<std::vector<double>>& ranks, std::size_t which) {
+  std::vector<double> values;
+  for (const auto& rank : ranks) values.push_back(rank[which]);
+  return values;
+}
+
+std::int64_t sum(const std::vector<double>& values) {
+  double total = 0.0;
+  for (const double v : values) total += v;
+  return std::llround(total);
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+/// Emitted less absorbed, relative to emitted, in the worst band: zero in a closed scene.
+double flux_balance(const Spectrum& emitted, const Spectrum& absorbed) {
+  double worst = 0.0;
+  for (std::size_t b = 0; b < std::min(emitted.size(), absorbed.size()); ++b) {
+    if (emitted[b] > 0.0) worst = std::max(worst, std::abs(emitted[b] - absorbed[b]) / emitted[b]);
+  }
+  return worst;
+}
+
+void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
+  record.set("surfaces", prepared.scene.surfaces.size());
+  record.set("lights", prepared.scene.lights.size());
+  record.set("cells", prepared.cells.cells().size());
+  record.set("portals", prepared.cells.portals().size());
+  record.set("clusters", prepared.clusters.size());
+  record.set("cluster_edges", prepared.graph.edges());
+  record.set("bands", prepared.scene.bands);
+  record.set("basis", basis == Basis::linear ? "linear" : "constant");
+}
+
+void describe_iterations(RunRecord& record, const Spectrum& emitted,
+                         const std::vector<IterationSummary>& history, const IterationPlan& last) {
+  IterationSums all;
+  for (const IterationSummary& summary : history) add(all, summary.sums);
+  const IterationSums end = history.empty() ? IterationSums{} : history.back().sums;
+  record.set("patches", end.patches);
+  record.set("links", end.links);
+  record.set("iterations", history.size());
+  record.set("converged", RunRecord::Value(last.converged));
+  record.set("residual", RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
+  record.set("estimated_error", RunRecord::Value(history.empty() ? 1.0 : history.back().estimated_error));
+  record.set("flux_balance", RunRecord::Value(flux_balance(emitted, end.absorbed_power)));
+  record.set("rays", all.work.rays);
+  record.set("form_factors", all.work.form_factors);
+  record.set("steals", all.steals);
+  record.set("steal_requests", all.steal_requests);
+}
+
+}  // namespace
+
+std::uint64_t peak_rss_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectrum& emitted,
+                            const std::vector<IterationSummary>& history, const IterationPlan& last,
+                            const RankStatistics& own, Communicator& communicator,
+                            const Machine& machine) {
+  const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
+  // Simulated ranks share one process: what each would need is what its clusters take.
+  const std::uint64_t peak = machine.simulated() ? own.residency.peak_bytes : peak_rss_bytes();
+  const std::vector<double> mine = {own.time.compute_s,        own.time.io_s,
+                                    own.time.idle_s,           n(own.store.bytes_read),
+                                    n(own.store.bytes_written), n(own.sent.messages),
+                                    n(own.sent.bytes),         n(peak),
+                                    n(own.residency.peak_bytes), n(own.residency.over_budget_bytes),
+                                    own.span_s};
+  const auto ranks = communicator.gather(mine);
+  RunRecord record;
+  if (!communicator.root()) return record;
+
+  describe_scene(record, prepared, basis);
+  describe_iterations(record, emitted, history, last);
+  record.set("ranks", communicator.size());
+  record.set("messages", sum(column(ranks, 5)));
+  record.set("message_bytes", sum(column(ranks, 6)));
+  record.set("bytes_read", sum(column(ranks, 3)));
+  record.set("bytes_written", sum(column(ranks, 4)));
+  record.set("peak_rss_bytes", std::llround(largest(column(ranks, 7))));
+  record.set("peak_cluster_bytes", std::llround(largest(column(ranks, 8))));
+  record.set("over_budget_bytes", std::llround(largest(column(ranks, 9))));
+  record.set("prepare_s", RunRecord::Value(prepared.prepare_s));
+  if (machine.simulated()) record.set("simulated_s", RunRecord::Value(largest(column(ranks, 10))));
+  record.set("compute_s", RunRecord::Value(column(ranks, 0)));
+  record.set("io_s", RunRecord::Value(column(ranks, 1)));
+  record.set("idle_s", RunRecord::Value(column(ranks, 2)));
+  return record;
+}
+
+}  // namespace enfilade

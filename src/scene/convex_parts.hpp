@@ -1,0 +1,24 @@
+// What shape a polygon has, and the planar convex parts that it is made of.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene_scale.hpp"
+
+namespace enfilade {
+
+enum class Shape { convex, degenerate, non_planar, non_convex, self_intersecting };
+
+struct ConvexParts {
+  Shape shape = Shape::convex;
+  std::vector<Polygon> parts;  ///< none where degenerate or self-intersecting
+};
+
+/// Repeated vertices and spikes are taken out first. A planar, convex polygon keeps all its other
+/// vertices, but those that lie inside its hull by no more than the scale's tolerance.
+ConvexParts convex_parts(const Polygon& polygon, const SceneScale& scale);
+
+/// How thin a polygon is: the farthest that a vertex lies from a line through two far corners.
+double width_of(const Polygon& polygon);
+
+}  // namespace enfilade

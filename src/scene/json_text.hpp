@@ -1,0 +1,23 @@
+// JSON files read so that every fault can be told by file, line and key.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace enfilade {
+
+/// The bytes of a file; InputError where it is missing, a directory, unreadable or empty.
+std::string read_bytes(const std::string& path);
+
+/// Parses `text` of file `path`, or throws InputError with line and column. NaN, Infinity and
+/// numbers too large for a double become strings of the same spelling, so that whoever reads the
+/// value can refuse it by its key.
+nlohmann::ordered_json parse_ordered_json(const std::string& text, const std::string& path);
+nlohmann::json parse_json(const std::string& text, const std::string& path);
+
+/// A value as a message shows it: short, on one line.
+std::string shown(const nlohmann::json& value);
+/// A name in quotes, on one line.
+std::string in_quotes(const std::string& name);
+
+}  // namespace enfilade

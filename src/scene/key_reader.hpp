@@ -1,0 +1,54 @@
+// Values taken out of parsed JSON; whatever is wrong is told by its key.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/geometry.hpp"
+#include "scene/scene.hpp"
+
+namespace enfilade {
+
+/// Reads numbers, points and spectra of one file. A `where` is the key of the value, as in
+/// `probes[2].n`.
+class KeyReader {
+ public:
+  explicit KeyReader(std::string file) : file_(std::move(file)) {}
+
+  [[noreturn]] void fail(const std::string& where, const std::string& what,
+                         const std::string& hint) const {
+    throw InputError(file_, where, what, hint);
+  }
+
+  double finite(const nlohmann::json& value, const std::string& where) const {
+    if (!value.is_number())
+      fail(where, "is " + shown_value(value) + ", not a finite number", "write a number");
+    return value.get<double>();
+  }
+  Vec3 point(const nlohmann::json& value, const std::string& where) const;
+  /// One number or a list of them, each checked to lie in [low, high).
+  Spectrum spectrum(const nlohmann::json& value, const std::string& where, double high) const;
+  std::string text(const nlohmann::json& value, const std::string& where) const;
+  bool flag(const nlohmann::json& value, const std::string& where) const;
+  const nlohmann::json& list(const nlohmann::json& value, const std::string& where) const;
+  /// The value under `key`, which must be there.
+  const nlohmann::json& need(const nlohmann::json& object, const char* key,
+                             const std::string& where) const;
+
+  /// Metres per unit of length for "m", "mm", "cm", "ft", "in".
+  double metres_per_unit(const nlohmann::json& document) const;
+  /// The list under "probes"; points scaled, normals of unit length. Extra keys go to `unknown` if
+  /// given.
+  std::vector<Probe> probes(const nlohmann::json& document, double scale,
+                            std::set<std::string>* unknown) const;
+
+  const std::string& file() const { return file_; }
+
+ private:
+  static std::string shown_value(const nlohmann::json& value);
+  std::string file_;
+};
+
+}  // namespace enfilade

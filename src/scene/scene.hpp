@@ -1,0 +1,78 @@
+// A scene as its file has it, and the convex pieces that the solver works on.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "base/warnings.hpp"
+#include "scene/polygon.hpp"
+
+namespace enfilade {
+
+/// One value a spectral band.
+using Spectrum = std::vector<double>;
+
+/// An input polygon, as read: any number of vertices from 3, perhaps not planar or convex.
+struct Surface {
+  Polygon vertices;      ///< metres, counter-clockwise from the reflecting side
+  Spectrum reflectance;  ///< per band, each in [0, 1)
+  Spectrum exitance;     ///< per band, in the scene's exitance unit
+  std::string name;      ///< may be empty
+  std::string object;    ///< may be empty
+  bool two_sided = false;
+};
+
+/// An isotropic point source; intensity per band, W/sr (or lm/sr where the unit is lm/m2).
+struct PointLight {
+  Vec3 p{0.0};
+  Spectrum intensity;
+};
+
+/// Where irradiance is asked for: on a plane through p with normal n.
+struct Probe {
+  Vec3 p{0.0};
+  Vec3 n{0.0, 0.0, 1.0};
+};
+
+enum class ExitanceUnit { watt_per_m2, lumen_per_m2 };
+/// "W/m2" or "lm/m2".
+const char* name_of(ExitanceUnit unit);
+/// What an irradiance in this unit is shown as: "W/m2" or "lx".
+const char* irradiance_label(ExitanceUnit unit);
+
+struct Scene {
+  std::string file;  ///< where it was read from, for messages
+  int bands = 1;     ///< every spectrum has this many values
+  ExitanceUnit unit = ExitanceUnit::watt_per_m2;
+  std::vector<Surface> surfaces;
+  std::vector<PointLight> lights;
+  std::vector<Probe> probes;
+  std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
+};
+
+/// A convex planar part of a surface. A surface gives one piece, or several where it was split,
+/// or none where it was dropped or is covered. A two-sided surface gives a second, reversed set.
+struct Piece {
+  SurfaceId surface;
+  Polygon polygon;
+};
+
+struct PieceReport {
+  double covered_area_m2 =
+      0.0;  ///< area left out: covered by a coplanar surface in front, or duplicated
+  std::size_t dropped = 0;  ///< surfaces without area, and duplicates
+  std::size_t split = 0;    ///< surfaces that were not planar or not convex
+};
+
+/// Makes the pieces: splits what is not planar or not convex, drops the degenerate and the
+/// duplicated, and cuts away what a coplanar, same-facing surface covers (the emitting one is in
+/// front, else the later one). Each of these adds a warning that names the surfaces, and so does a
+/// surface that seems to face the wrong way. Coplanar surfaces that face opposite ways are both
+/// kept whole (scene/coplanar.hpp says why). The pieces of one surface follow each other, in the
+/// order of the file. Throws InputError for a self-intersecting polygon.
+std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings,
+                               PieceReport* report = nullptr);
+
+}  // namespace enfilade

@@ -1,0 +1,121 @@
+#include "scene/triangulation.hpp"
+
+#include <geos_c.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+class Geos {
+ public:
+  struct Free {
+    GEOSContextHandle_t handle;
+    void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(handle, g); }
+  };
+  using Geometry = std::unique_ptr<GEOSGeometry, Free>;
+
+  Geos() : handle_(GEOS_init_r()) {}
+  ~Geos() { GEOS_finish_r(handle_); }
+  Geos(const Geos&) = delete;
+  Geos& operator=(const Geos&) = delete;
+  GEOSContextHandle_t handle() const { return handle_; }
+
+  Geometry own(GEOSGeometry* g) const { return {g, Free{handle_}}; }
+
+  Geometry polygon(const std::vector<Vec2>& ring) const {
+    const auto count = static_cast<unsigned>(ring.size());
+    GEOSCoordSequence* points = GEOSCoordSeq_create_r(handle_, count + 1, 2);
+    for (unsigned i = 0; i <= count; ++i) {
+      GEOSCoordSeq_setXY_r(handle_, points, i, ring[i % count].x, ring[i % count].y);
+    }
+    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle_, points);
+    return own(shell == nullptr ? nullptr : GEOSGeom_createPolygon_r(handle_, shell, nullptr, 0));
+  }
+
+ private:
+  GEOSContextHandle_t handle_;
+};
+
+double signed_area(const std::vector<Vec2>& ring) {
+  double twice = 0.0;
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    const Vec2 a = ring[i - 1] - ring[0], b = ring[i] - ring[0];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * twice;
+}
+
+// Collects triangles; a point keeps the number that it has in the ring.
+class Collector {
+ public:
+  Collector(const Geos& geos, const std::vector<Vec2>& ring) : geos_(geos) {
+    for (const Vec2& p : ring) result_.points.push_back(p);
+    for (std::size_t i = ring.size(); i-- > 0;) {
+      numbers_[{ring[i].x, ring[i].y}] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  void add(const GEOSGeometry* triangles) {
+    const int count = GEOSGetNumGeometries_r(geos_.handle(), triangles);
+    for (int i = 0; i < count; ++i) add_triangle(GEOSGetGeometryN_r(geos_.handle(), triangles, i));
+  }
+  Triangulation take() { return std::move(result_); }
+
+ private:
+  void add_triangle(const GEOSGeometry* triangle) {
+    const GEOSGeometry* ring = GEOSGetExteriorRing_r(geos_.handle(), triangle);
+    const GEOSCoordSequence* points =
+        ring == nullptr ? nullptr : GEOSGeom_getCoordSeq_r(geos_.handle(), ring);
+    if (points == nullptr) return;
+    std::array<std::uint32_t, 3> corner{};
+    std::vector<Vec2> at(3);
+    for (unsigned i = 0; i < 3; ++i) {
+      GEOSCoordSeq_getXY_r(geos_.handle(), points, i, &at[i].x, &at[i].y);
+      corner[i] = number(at[i]);
+    }
+    const double area = signed_area(at);
+    if (area < 0.0) std::swap(corner[1], corner[2]);
+    if (area != 0.0) result_.triangles.push_back(corner);
+  }
+
+  std::uint32_t number(const Vec2& p) {
+    const auto [it, is_new] =
+        numbers_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(result_.points.size()));
+    if (is_new) result_.points.push_back(p);
+    return it->second;
+  }
+
+  const Geos& geos_;
+  Triangulation result_;
+  std::map<std::pair<double, double>, std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+Triangulation triangulate(const std::vector<Vec2>& ring, double area_tolerance) {
+  Triangulation crossing;
+  crossing.simple = false;
+  const Geos geos;
+  Geos::Geometry polygon = geos.polygon(ring);
+  if (!polygon) return crossing;
+  if (GEOSisValid_r(geos.handle(), polygon.get()) != 1) {
+    polygon = geos.own(GEOSMakeValid_r(geos.handle(), polygon.get()));
+    double area = 0.0;
+    if (!polygon || GEOSArea_r(geos.handle(), polygon.get(), &area) != 1) return crossing;
+    if (std::abs(area - signed_area(ring)) > area_tolerance) return crossing;
+  }
+  const auto triangles =
+      geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.handle(), polygon.get()));
+  if (!triangles) return crossing;
+  Collector collector(geos, ring);
+  collector.add(triangles.get());
+  return collector.take();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,72 @@
+// One rank's way to the cluster files: reads from the common directory, writes to its local one, moves the
+// files over at the end of an iteration (§3.2, figure 2).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "machine/machine.hpp"
+#include "store/run_layout.hpp"
+#include "store/section_file.hpp"
+
+namespace enfilade {
+
+/// Bytes and files that this rank moved, at the size that the machine counts them for.
+struct StoreCount {
+  std::uint64_t bytes_read = 0, bytes_written = 0;
+  std::uint64_t files_read = 0, files_written = 0;
+};
+
+/// While iteration k is under way, others' clusters are read as iteration k-1 committed them, and those that
+/// this rank has gathered already, from its local directory. Iteration k moves into the slot that k-1 does not
+/// use; only the manifest makes it the committed one. So a crash at any moment leaves k-1 whole.
+class ClusterStore {
+ public:
+  /// Makes the rank's local directory, empty.
+  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
+
+  /// Writes a cluster as the state before the first iteration, straight into the common directory. That is
+  /// the end of the preparation, not part of the run: it is neither charged nor counted.
+  void write_initial(const ClusterState& state);
+  /// From now on `iteration` is the committed one.
+  void set_committed(int iteration) { committed_ = iteration; }
+  int committed() const { return committed_; }
+
+  SectionFile read_geometry(ClusterId id);
+  /// The newest patches that this rank may see.
+  SectionFile read_patches(ClusterId id);
+  /// The links that go with them; read_patches() or write() of this cluster must have come before.
+  SectionFile read_links(ClusterId id);
+
+  /// Into the local directory; `links` empty = as they were.
+  void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
+             std::span<const std::byte> links, const RecordCount& links_count);
+  /// Has this rank gathered for the cluster in this iteration?
+  bool written(ClusterId id) const { return local_.contains(id); }
+  /// MoveToCommonDirectory of figure 2: all that was written in this iteration.
+  void move_to_common();
+
+  const StoreCount& count() const { return count_; }
+  const RunLayout& layout() const { return layout_; }
+
+ private:
+  struct Local {
+    bool links = false;  ///< its links were written as well
+    std::uint64_t patches_bytes = 0, links_bytes = 0;
+  };
+  SectionFile read(Disk disk, const std::string& path, ClusterId id, Section section);
+  std::uint64_t put(Disk disk, const std::string& path, const SectionInfo& info,
+                    std::span<const std::byte> bytes);
+  Slot committed_slot() const { return committed_ % 2 == 0 ? Slot::a : Slot::b; }
+
+  RunLayout layout_;
+  std::string local_directory_;
+  Machine& machine_;
+  int committed_ = 0;
+  std::vector<Slot> links_slot_;       ///< of the newest links, by cluster
+  std::map<ClusterId, Local> local_;   ///< what was written in this iteration
+  StoreCount count_;
+};
+
+}  // namespace enfilade

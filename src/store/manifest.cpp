@@ -1,0 +1,77 @@
+#include "store/manifest.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "store/posix_file.hpp"
+
+namespace enfilade {
+namespace {
+
+/// JSON has no infinity (the error of a link that nothing is known about yet): the largest number stands for it.
+std::vector<double> finite(std::vector<double> numbers) {
+  for (double& x : numbers) {
+    if (!std::isfinite(x)) x = std::copysign(std::numeric_limits<double>::max(), x);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<Manifest> read_manifest(const RunLayout& layout) {
+  const std::string path = layout.manifest();
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const std::vector<std::byte> bytes = read_file(path);
+  try {
+    const auto json = nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
+                                            reinterpret_cast<const char*>(bytes.data() + bytes.size()));
+    if (json.at("format") != "enfilade-manifest" || json.at("version") != 1) {
+      throw RunError(path + ": not a manifest of version 1; solve again without --resume");
+    }
+    Manifest m;
+    m.iteration = json.at("iteration");
+    m.clusters = json.at("clusters");
+    m.basis = json.at("basis") == "linear" ? Basis::linear : Basis::constant;
+    m.scene_hash = std::stoull(json.at("scene_hash").get<std::string>(), nullptr, 16);
+    m.finished = json.at("finished");
+    m.history = json.at("history").get<std::vector<std::vector<double>>>();
+    m.correction = json.at("correction").get<std::vector<double>>();
+    return m;
+  } catch (const nlohmann::json::exception&) {
+    throw RunError(path + ": damaged; solve again without --resume");
+  } catch (const std::logic_error&) {
+    throw RunError(path + ": damaged; solve again without --resume");
+  }
+}
+
+void commit_manifest(const RunLayout& layout, const Manifest& m) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(m.scene_hash));
+  std::vector<std::vector<double>> history;
+  for (const auto& numbers : m.history) history.push_back(finite(numbers));
+  const nlohmann::ordered_json json = {{"format", "enfilade-manifest"},
+                                 {"version", 1},
+                                 {"iteration", m.iteration},
+                                 {"clusters", m.clusters},
+                                 {"basis", m.basis == Basis::linear ? "linear" : "constant"},
+                                 {"scene_hash", hash},
+                                 {"finished", m.finished},
+                                 {"history", history},
+                                 {"correction", finite(m.correction)}};
+  // An iteration under way must outlive the death of its processes, which the page cache does; a finished run
+  // must outlive the machine's as well.
+  if (m.finished) flush_to_disk(layout.common());
+  replace_file(layout.manifest(), json.dump() + "\n");
+  if (m.finished) flush_to_disk(layout.common());
+}
+
+void remove_manifest(const RunLayout& layout) {
+  std::error_code code;
+  std::filesystem::remove(layout.manifest(), code);
+  if (code) throw RunError(layout.manifest() + ": cannot be removed: " + code.message() + "; see to its permissions");
+}
+
+}  // namespace enfilade

@@ -1,0 +1,191 @@
+#include "store/resident_clusters.hpp"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace enfilade {
+namespace {
+
+RecordCount shooter_record(const ClusterState& state) {
+  RecordCount count;
+  count.surfaces = state.patches().polygons();
+  count.patches = state.patches().size();
+  return count;
+}
+
+RecordCount links_record(const ClusterState& state) {
+  RecordCount count;
+  count.links = state.links().size();
+  return count;
+}
+
+}  // namespace
+
+ResidentClusters::ResidentClusters(ClusterStore& store, Machine& machine, std::uint64_t budget_bytes)
+    : store_(store), machine_(machine), budget_bytes_(budget_bytes) {
+  next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
+}
+
+void ResidentClusters::adopt(ClusterState state) {
+  Entry& entry = entries_[state.id()];
+  entry.links_checksum = checksum(state.bytes_of(Section::links));
+  entry.state = std::make_unique<ClusterState>(std::move(state));
+  entry.has_links = true;
+  entry.iteration = store_.committed();
+  measure(entry);
+  evict(false);
+}
+
+/// Brings the account of memory up to date with what the entry holds now.
+void ResidentClusters::measure(Entry& entry) {
+  bytes_ -= entry.shooter_bytes + entry.links_bytes;
+  entry.shooter_bytes = entry.links_bytes = 0;
+  if (entry.state) {
+    RecordCount shooter = shooter_record(*entry.state), links = links_record(*entry.state);
+    const auto& set = entry.state->links();
+    links.bytes = set.size() * (sizeof(Link) + set.stride() * sizeof(float));
+    shooter.bytes = entry.state->memory_bytes();
+    shooter.bytes -= std::min(shooter.bytes, links.bytes);
+    entry.shooter_bytes = machine_.record_bytes(shooter);
+    entry.links_bytes = machine_.record_bytes(links);
+  }
+  bytes_ += entry.shooter_bytes + entry.links_bytes;
+  count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
+  if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
+    count_.over_budget_bytes = count_.peak_bytes - budget_bytes_;
+  }
+}
+
+void ResidentClusters::load(ClusterId id, Entry& entry) {
+  // The newest that this rank may see: its own of this iteration, or the committed one.
+  const int newest = store_.committed() + (store_.written(id) ? 1 : 0);
+  if (entry.state && entry.iteration >= newest) {
+    ++count_.hits;
+    return;
+  }
+  ++count_.loads;
+  const std::vector<std::byte> geometry =
+      entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
+  const SectionFile patches = store_.read_patches(id);
+  entry.state = std::make_unique<ClusterState>(geometry, patches.bytes, std::span<const std::byte>());
+  entry.has_links = entry.corrected = false;
+  entry.iteration = static_cast<int>(patches.info.iteration);
+  measure(entry);
+}
+
+void ResidentClusters::set_correction(std::function<void(ClusterState&)> correction) {
+  correction_ = std::move(correction);
+  for (auto& [id, entry] : entries_) entry.corrected = false;
+}
+
+/// Files hold what the gathers brought; the correction that belongs to the committed iteration is applied to
+/// what comes from them, and to what stayed in memory.
+void ResidentClusters::correct(Entry& entry) {
+  if (!correction_ || entry.corrected || entry.iteration != store_.committed()) return;
+  correction_(*entry.state);
+  entry.corrected = true;
+}
+
+void ResidentClusters::load_links(ClusterId id, Entry& entry) {
+  const SectionFile links = store_.read_links(id);
+  entry.state = std::make_unique<ClusterState>(entry.state->bytes_of(Section::geometry),
+                                               entry.state->bytes_of(Section::patches), links.bytes);
+  entry.has_links = true;
+  entry.links_checksum = checksum(links.bytes);
+  measure(entry);
+}
+
+ResidentClusters::Entry& ResidentClusters::pin(ClusterId id) {
+  Entry& entry = entries_[id];
+  if (!entry.pinned) {
+    entry.pinned = true;
+    pinned_.push_back(id);
+  }
+  load(id, entry);
+  correct(entry);
+  return entry;
+}
+
+ClusterState& ResidentClusters::pin_receiver(ClusterId id) {
+  Entry& entry = pin(id);
+  if (!entry.has_links) load_links(id, entry);
+  evict(true);
+  return *entry.state;
+}
+
+const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
+  Entry& entry = pin(id);
+  evict(true);
+  return *entry.state;
+}
+
+void ResidentClusters::write_receiver(ClusterId id) {
+  Entry& entry = entries_.at(id);
+  RecordCount patches_count = shooter_record(*entry.state), links_count = links_record(*entry.state);
+  patches_count.surfaces = 0;
+  const std::vector<std::byte> patches = entry.state->bytes_of(Section::patches);
+  std::vector<std::byte> links = entry.state->bytes_of(Section::links);
+  patches_count.bytes = patches.size();
+  links_count.bytes = links.size();
+  const std::uint64_t sum = checksum(links);
+  if (sum == entry.links_checksum) links.clear();
+  store_.write(id, patches, patches_count, links, links_count);
+  entry.links_checksum = sum;
+  entry.iteration = store_.committed() + 1;
+  measure(entry);
+}
+
+void ResidentClusters::unpin() {
+  for (const ClusterId id : pinned_) entries_.at(id).pinned = false;
+  pinned_.clear();
+  evict(false);
+}
+
+void ResidentClusters::drop_links(Entry& entry) {
+  entry.state->links() = LinkSet(entry.state->links().stride());
+  entry.has_links = false;
+}
+
+void ResidentClusters::evict(bool pressed) {
+  if (budget_bytes_ == 0 || bytes_ <= budget_bytes_) return;
+  // A little more than needed, so that the order is not worked out for every cluster that comes in.
+  const std::uint64_t goal = budget_bytes_ - (pressed ? budget_bytes_ / 16 : 0);
+  using Part = std::tuple<std::uint64_t, bool, ClusterId>;  // next use, links, whose
+  std::vector<Part> parts;
+  for (const auto& [id, entry] : entries_) {
+    if (entry.pinned) continue;
+    if (entry.has_links) parts.emplace_back(next_use_(id, true), true, id);
+    parts.emplace_back(next_use_(id, false), false, id);
+  }
+  std::sort(parts.begin(), parts.end(), std::greater<>());
+  for (const auto& [when, links, id] : parts) {
+    if (bytes_ <= goal) break;
+    const auto found = entries_.find(id);
+    if (found == entries_.end()) continue;
+    const std::uint64_t before = bytes_;
+    if (links) {
+      drop_links(found->second);
+    } else {
+      found->second.state.reset();
+    }
+    measure(found->second);
+    if (!links) entries_.erase(found);
+    freed_bytes_ += before - bytes_;
+    ++count_.evictions;
+  }
+  // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
+  if (freed_bytes_ > budget_bytes_ / 8) {
+    malloc_trim(0);
+    freed_bytes_ = 0;
+  }
+}
+
+std::vector<ClusterId> ResidentClusters::resident() const {
+  std::vector<ClusterId> ids;
+  for (const auto& [id, entry] : entries_) ids.push_back(id);
+  return ids;
+}
+
+}  // namespace enfilade

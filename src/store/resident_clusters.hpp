@@ -1,0 +1,82 @@
+// The clusters in a rank's memory, within its budget (§3.2, §4.4).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "machine/machine.hpp"
+#include "radiosity/cluster_state.hpp"
+#include "store/cluster_store.hpp"
+
+namespace enfilade {
+
+struct ResidencyCount {
+  std::uint64_t peak_bytes = 0;         ///< of clusters in memory at once
+  std::uint64_t hits = 0, loads = 0, evictions = 0;
+  /// Most by which the budget was passed: by the last cluster that came in before others could go, or by a
+  /// gather that needs more at once than there is.
+  std::uint64_t over_budget_bytes = 0;
+};
+
+/// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which only its
+/// own gather needs, once an iteration. Under pressure that part goes first whose next use lies farthest
+/// ahead; since CYCLE is known, so is that (Belady's rule, which no other can beat). Nothing is ever written
+/// on eviction: a gathered cluster is in its file already.
+class ResidentClusters {
+ public:
+  /// When a cluster (or its links) will be used next; larger is later.
+  using NextUse = std::function<std::uint64_t(ClusterId id, bool links)>;
+
+  /// budget_bytes 0 = no limit.
+  ResidentClusters(ClusterStore& store, Machine& machine, std::uint64_t budget_bytes);
+
+  void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
+  /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
+  void set_correction(std::function<void(ClusterState&)> correction);
+  /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
+  void adopt(ClusterState state);
+
+  /// Both keep the cluster in memory until unpin(). References stay valid until then.
+  ClusterState& pin_receiver(ClusterId id);
+  const ClusterState& pin_shooter(ClusterId id);
+  /// After its gather: writes the receiver to the local directory (its links only where they changed).
+  void write_receiver(ClusterId id);
+  /// Ends all pins and evicts down to the budget.
+  void unpin();
+
+  /// In the order of their ids.
+  std::vector<ClusterId> resident() const;
+  const ResidencyCount& count() const { return count_; }
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  struct Entry {
+    std::unique_ptr<ClusterState> state;
+    bool has_links = false, pinned = false, corrected = false;
+    int iteration = 0;                   ///< that these patches are of
+    std::uint64_t links_checksum = 0;    ///< of the links in the file
+    std::uint64_t shooter_bytes = 0, links_bytes = 0;
+  };
+  Entry& pin(ClusterId id);
+  void load(ClusterId id, Entry& entry);
+  void correct(Entry& entry);
+  void load_links(ClusterId id, Entry& entry);
+  void measure(Entry& entry);
+  void evict(bool pressed);
+  void drop_links(Entry& entry);
+
+  ClusterStore& store_;
+  Machine& machine_;
+  std::uint64_t budget_bytes_;
+  NextUse next_use_;
+  std::function<void(ClusterState&)> correction_;
+  std::map<ClusterId, Entry> entries_;
+  std::vector<ClusterId> pinned_;
+  std::uint64_t bytes_ = 0, freed_bytes_ = 0;
+  ResidencyCount count_;
+};
+
+}  // namespace enfilade

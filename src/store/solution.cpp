@@ -1,0 +1,33 @@
+#include "store/solution.hpp"
+
+#include "base/error.hpp"
+#include "store/manifest.hpp"
+#include "store/section_file.hpp"
+
+namespace enfilade {
+
+std::vector<ClusterState> read_solution(const std::string& run_directory, bool links) {
+  const RunLayout layout(run_directory);
+  const std::optional<Manifest> manifest = read_manifest(layout);
+  if (!manifest) {
+    throw InputError(run_directory, "solution", "there is none", "run 'enfilade solve' on it first");
+  }
+  std::vector<ClusterState> states;
+  states.reserve(manifest->clusters);
+  const std::string common = layout.common();
+  for (std::size_t i = 0; i < manifest->clusters; ++i) {
+    const ClusterId id(i);
+    const auto geometry = read_section(RunLayout::geometry(common, id), id, Section::geometry);
+    const auto patches =
+        read_section(RunLayout::patches(common, id, manifest->slot()), id, Section::patches);
+    std::vector<std::byte> link_bytes;
+    if (links) {
+      const std::string path = RunLayout::links(common, id, patches.info.links_slot);
+      link_bytes = read_section(path, id, Section::links).bytes;
+    }
+    states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
+  }
+  return states;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,77 @@
+// OVG and CYCLE: the order in which a rank's clusters gather (§3.2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "visibility/cluster_graph.hpp"
+
+namespace enfilade {
+
+/// What it costs to go from one receiving cluster to the next: OVG's edge (C1, C2).
+/// cost(C1, C2) = bytes of C2's receiver part and of the clusters visible to C2 that are neither C1 nor
+/// visible to C1, when `memory_bytes` holds all that C2 needs; what does not fit is paid again.
+class VisibilityCost {
+ public:
+  /// bytes[c]: what cluster c takes as a shooter (geometry and patches). receiver_bytes[c]: what it takes
+  /// besides as a receiver (its links), read at each of its turns; empty = none.
+  VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
+                 std::uint64_t memory_bytes, std::vector<std::uint64_t> receiver_bytes = {});
+  std::uint64_t between(ClusterId from, ClusterId to) const;
+  /// Bytes that `receiver` needs and that are not among `resident` (§3.3.3: the victim's choice).
+  std::uint64_t given(std::span<const ClusterId> resident, ClusterId receiver) const;
+  /// Bytes that `receiver` needs when nothing is in memory.
+  std::uint64_t needed(ClusterId receiver) const { return needed_[receiver.index()]; }
+  const ClusterGraph& graph() const { return *graph_; }
+
+ private:
+  /// 64 clusters with neighbouring ids, as bits: a room's clusters are a few words.
+  struct Word {
+    std::uint32_t index = 0;
+    std::uint64_t bits = 0;
+  };
+  std::span<const Word> words(std::size_t cluster) const {
+    return {words_.data() + first_word_[cluster], words_.data() + first_word_[cluster + 1]};
+  }
+  std::uint64_t bytes_of(const Word& word) const;
+  std::uint64_t receiver_bytes(std::size_t cluster) const {
+    return receiver_bytes_.empty() ? 0 : receiver_bytes_[cluster];
+  }
+
+  const ClusterGraph* graph_;
+  std::vector<std::uint64_t> bytes_, receiver_bytes_;
+  std::uint64_t memory_bytes_;
+  std::vector<std::size_t> first_word_;
+  std::vector<Word> words_;  ///< each cluster with all that it sees
+  std::vector<std::uint64_t> needed_;
+};
+
+/// The paper's tour, and orders that it must beat.
+enum class TourOrder { travelling_salesman, greedy, random, input };
+/// Throws InputError for a name that is none of travelling-salesman, greedy, random, input.
+TourOrder tour_order(const std::string& name);
+
+/// CYCLE: a closed tour through a rank's clusters, traversed once an iteration.
+class Cycle {
+ public:
+  Cycle() = default;
+  /// Asymmetric travelling salesman: nearest neighbour, then Or-opt and 3-opt segment moves. The number of
+  /// moves tried is bounded by the number of clusters, not by a clock, so that the tour repeats.
+  Cycle(std::vector<ClusterId> clusters, const VisibilityCost& cost, TourOrder order,
+        std::uint64_t seed);
+
+  const std::vector<ClusterId>& order() const { return order_; }
+  /// Bytes of one round. A cycle of one cluster costs what of it does not stay in memory.
+  std::uint64_t cost_bytes() const { return cost_bytes_; }
+  /// Links predecessor and successor together (§3.3.3). A cluster that is not in the cycle is left out.
+  void remove(ClusterId cluster, const VisibilityCost& cost);
+
+ private:
+  std::vector<ClusterId> order_;
+  std::uint64_t cost_bytes_ = 0;
+};
+
+}  // namespace enfilade

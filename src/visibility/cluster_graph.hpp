@@ -1,0 +1,57 @@
+// G_cluster: which clusters can see each other (§3.2). Conservative: a visible pair is never missing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "cells/cell_complex.hpp"
+#include "clusters/cluster.hpp"
+
+namespace enfilade {
+
+/// Undirected graph in compressed rows: neighbours of i are sorted and hold j != i; a cluster is taken to
+/// see itself without an edge.
+class ClusterGraph {
+ public:
+  ClusterGraph() = default;
+  /// Pairs may come in any order and twice.
+  ClusterGraph(std::size_t clusters, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
+
+  std::size_t size() const { return offsets_.empty() ? 0 : offsets_.size() - 1; }
+  std::size_t edges() const { return targets_.size() / 2; }
+  std::span<const std::uint32_t> neighbours(std::size_t i) const {
+    return {targets_.data() + offsets_[i], targets_.data() + offsets_[i + 1]};
+  }
+  bool has_edge(std::size_t i, std::size_t j) const;
+
+ private:
+  std::vector<std::size_t> offsets_;
+  std::vector<std::uint32_t> targets_;
+};
+
+/// How much care a source's sequences get before a coarser answer that covers them is taken.
+struct VisibilityConfig {
+  int max_passes = 2;  ///< sequences followed one by one through the same doorway
+};
+
+/// G_cell: pairs of cells that see each other through a sequence of portals; a cell sees itself.
+std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
+                                                     const VisibilityConfig& config = {});
+
+/// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters of different
+/// cells that see each other through a sequence of portals. Each cluster is a source of its own, so this is
+/// G_cell tightened by what can be seen through the sequences.
+ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
+                              const Progress& progress = {}, const VisibilityConfig& config = {});
+
+/// The graph as it is kept in a run's directory (versioned, in this machine's byte order).
+std::string to_bytes(const ClusterGraph& graph);
+/// Throws RunError where the bytes are not a graph of this version.
+ClusterGraph graph_from_bytes(std::string_view bytes);
+
+}  // namespace enfilade

@@ -1,0 +1,108 @@
+// G_cluster: every cluster looks out through its cell's portals; a pair is kept where each side sees the other.
+#include <algorithm>
+
+#include "visibility/cell_parts.hpp"
+#include "visibility/cluster_graph.hpp"
+#include "visibility/facing.hpp"
+#include "visibility/portal_search.hpp"
+
+namespace enfilade {
+namespace {
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+class ClusterVisibility {
+ public:
+  ClusterVisibility(const CellComplex& complex, std::span<const Cluster> clusters,
+                    const VisibilityConfig& config)
+      : config_(config),
+        doorways_(complex),
+        in_cell_(complex.cells().size()),
+        seen_by_(clusters.size(), 0xFFFFFFFFu) {
+    for (std::uint32_t i = 0; i < clusters.size(); ++i) {
+      parts_.push_back(parts_by_cell(complex, clusters[i]));
+      for (std::uint32_t k = 0; k < parts_[i].size(); ++k) {
+        in_cell_[parts_[i][k].cell.index()].push_back({i, k});
+      }
+    }
+  }
+
+  std::vector<Pair> pairs(const Progress& progress) {
+    std::vector<Pair> seen;  // (who looks, who is seen), for different cells
+    std::vector<Pair> result;
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+      if (i % 64 == 0) {
+        report_progress(progress, "visibility",
+                        static_cast<double>(i) / static_cast<double>(parts_.size()));
+      }
+      for (const CellPart& part : parts_[i]) {
+        look_around(i, part, result);
+        look_out(i, part, seen);
+      }
+    }
+    keep_mutual(seen, result);
+    report_progress(progress, "visibility", 1.0);
+    return result;
+  }
+
+ private:
+  struct Member {
+    std::uint32_t cluster, part;
+  };
+
+  // Both directions are conservative by themselves, so what only one of them sees is not there.
+  static void keep_mutual(std::vector<Pair>& seen, std::vector<Pair>& result) {
+    std::sort(seen.begin(), seen.end());
+    for (const auto& [a, b] : seen) {
+      if (a < b && std::binary_search(seen.begin(), seen.end(), Pair(b, a))) result.emplace_back(a, b);
+    }
+  }
+
+  void look_around(std::uint32_t i, const CellPart& part, std::vector<Pair>& result) const {
+    for (const Member& m : in_cell_[part.cell.index()]) {
+      const CellPart& other = parts_[m.cluster][m.part];
+      if (m.cluster > i && face_each_other(part.polygons, part.box, other.polygons, other.box)) {
+        result.emplace_back(i, m.cluster);
+      }
+    }
+  }
+
+  void look_out(std::uint32_t i, const CellPart& part, std::vector<Pair>& seen) {
+    const auto visit = [&](const CellView& view) {
+      if (view.cell == part.cell) return;  // all of it was judged already
+      for (const Member& m : in_cell_[view.cell.index()]) {
+        if (m.cluster == i || seen_by_[m.cluster] == i) continue;
+        if (!in_view(parts_[m.cluster][m.part], view)) continue;
+        seen_by_[m.cluster] = i;
+        seen.emplace_back(i, m.cluster);
+      }
+    };
+    search_portals(doorways_, part.cell, part.polygons, config_.max_passes, visit);
+  }
+
+  // Is some of it within the view, with the window before it?
+  bool in_view(const CellPart& part, const CellView& view) const {
+    const double slack_m = doorways_.slack_m();
+    if (outside(part.box, view.within, slack_m)) return false;
+    return std::any_of(part.polygons.begin(), part.polygons.end(), [&](const SourcePolygon& q) {
+      return any_in_front(view.window, {q.plane.n, q.plane.d - slack_m}) &&
+             !outside(q.polygon, view.within, slack_m);
+    });
+  }
+
+  VisibilityConfig config_;
+  DoorwayMap doorways_;
+  std::vector<std::vector<Member>> in_cell_;
+  std::vector<std::vector<CellPart>> parts_;
+  std::vector<std::uint32_t> seen_by_;  ///< the last cluster that saw this one
+};
+
+}  // namespace
+
+ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
+                              const Progress& progress, const VisibilityConfig& config) {
+  ClusterVisibility visibility(complex, clusters, config);
+  return {clusters.size(), visibility.pairs(progress)};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,71 @@
+"""Solves a scene at default settings and holds the light at its probes against an independent reference.
+
+usage: accuracy_test.py ENFILADE SCENE REFERENCE [--max-l1 X] [--max-relative X] [--max-median X] [--max-dark X]
+"""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("enfilade")
+    parser.add_argument("scene")
+    parser.add_argument("reference")
+    parser.add_argument("--max-l1", type=float, help="area-weighted relative L1 over all points")
+    parser.add_argument("--max-relative", type=float, help="largest relative error of a point")
+    parser.add_argument("--max-median", type=float,
+                        help="median relative error over points above 1 percent of the mean")
+    parser.add_argument("--max-dark", type=float,
+                        help="light, as a share of the mean, at points that are dark in the reference")
+    parser.add_argument("--ranks", type=int, default=1)
+    options = parser.parse_args()
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    with tempfile.TemporaryDirectory() as folder:
+        run = os.path.join(folder, "run")
+        answers = os.path.join(folder, "answers.json")
+        subprocess.run(["mpirun", "--oversubscribe", "-n", str(options.ranks), options.enfilade, "solve",
+                        options.scene, "-o", run, "--no-pictures", "--quiet"], check=True, env=environment)
+        subprocess.run([options.enfilade, "probe", run, "--points", options.reference, "-o", answers],
+                       check=True, env=environment)
+        with open(answers, encoding="utf-8") as file:
+            got = json.load(file)["probes"]
+    with open(options.reference, encoding="utf-8") as file:
+        want = json.load(file)["probes"]
+    return judge(options, want, got)
+
+
+def judge(options, want, got):
+    bad = []
+
+    def check(name, value, limit):
+        if limit is None:
+            return
+        print(f"{name}: {value:.3g} (limit {limit:g})")
+        if not value <= limit:
+            bad.append(name)
+
+    bands = len(want[0]["E"])
+    for band in range(bands):
+        reference = [p["E"][band] for p in want]
+        answer = [p["E"][band] for p in got]
+        mean = statistics.mean(reference)
+        error = [abs(a - r) for a, r in zip(answer, reference)]
+        relative = [e / r for e, r in zip(error, reference) if r > 0.01 * mean]
+        dark = [a / mean for a, r in zip(answer, reference) if r == 0.0]
+        check(f"band {band} relative L1", sum(error) / sum(reference), options.max_l1)
+        check(f"band {band} largest relative error", max(relative), options.max_relative)
+        check(f"band {band} median relative error", statistics.median(relative), options.max_median)
+        if dark:
+            check(f"band {band} light in the dark", max(dark), options.max_dark)
+    if bad:
+        print("over the limit: " + ", ".join(bad))
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,361 @@
+#!/usr/bin/python3
+"""The command line as a user meets it: help, exit statuses, one line for what is wrong, nothing half-written.
+
+cli_test.py ENFILADE [unittest arguments]; ENFILADE_SMPIRUN and ENFILADE_SMPI name the simulated side."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+ROOM = HERE / "room.json"
+ENFILADE = os.environ.get("ENFILADE", "")
+MPIRUN = ["mpirun", "--oversubscribe", "-n"]
+SUBCOMMANDS = ["import", "prepare", "solve", "probe", "render", "export", "locate", "report", "info"]
+os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+def enfilade(*args, ranks=0, timeout=240):
+    command = [ENFILADE, *map(str, args)]
+    if ranks:
+        command = MPIRUN + [str(ranks)] + command
+    return subprocess.run(command, capture_output=True, text=True, timeout=timeout)
+
+
+def said(result):
+    """What enfilade said on standard error; mpirun adds lines of its own."""
+    return [line for line in result.stderr.splitlines() if line.startswith("enfilade:")]
+
+
+class InScratch(unittest.TestCase):
+    def setUp(self):
+        self.scratch = Path(tempfile.mkdtemp(prefix="enfilade-cli-"))
+        self.addCleanup(shutil.rmtree, self.scratch, ignore_errors=True)
+
+    def scene(self, change=lambda scene: None, name="scene.json"):
+        scene = json.loads(ROOM.read_text())
+        change(scene)
+        path = self.scratch / name
+        path.write_text(json.dumps(scene))
+        return path
+
+    def assert_refused(self, result, *words):
+        """Exit status 2, one line "enfilade: error: FILE: WHERE: what; hint" with these words, no output."""
+        self.assertEqual(result.returncode, 2, result.stderr)
+        errors = [line for line in said(result) if line.startswith("enfilade: error: ")]
+        self.assertEqual(len(errors), 1, result.stderr)
+        self.assertRegex(errors[0], r"^enfilade: error: [^:]+: .+: .+; .+")
+        for word in words:
+            self.assertIn(word, errors[0])
+        self.assertEqual(result.stdout, "")
+
+    def leftovers(self, *inputs):
+        return sorted(p.name for p in self.scratch.iterdir() if p not in inputs)
+
+
+class Help(unittest.TestCase):
+    def test_every_subcommand_explains_itself_with_an_example(self):
+        for name in SUBCOMMANDS:
+            result = enfilade(name, "--help")
+            self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+            self.assertRegex(result.stdout, r"(?s)Example.*enfilade " + name)
+
+    def test_the_program_lists_its_subcommands(self):
+        result = enfilade("--help")
+        self.assertEqual(result.returncode, 0)
+        for name in SUBCOMMANDS:
+            self.assertRegex(result.stdout, rf"(?m)^  {name} ")
+
+    def test_help_shows_the_defaults(self):
+        text = enfilade("solve", "--help").stdout
+        self.assertRegex(text, r"--target-error[^\n]*0\.02")
+        self.assertRegex(text, r"--assignment[^\n]*kmeans")
+
+    def test_version(self):
+        self.assertRegex(enfilade("--version").stdout, r"^enfilade \d+\.\d+\.\d+\n$")
+
+    def test_under_mpirun_one_rank_speaks(self):
+        result = enfilade("--help", ranks=2)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stdout, enfilade("--help").stdout)
+
+
+class CommandLine(InScratch):
+    def test_no_subcommand(self):
+        self.assert_refused(enfilade(), "command line", "enfilade --help")
+
+    def test_a_misspelt_subcommand_is_guessed(self):
+        self.assert_refused(enfilade("sovle", ROOM), "sovle", "did you mean 'solve'")
+
+    def test_an_unknown_subcommand_gets_the_list(self):
+        self.assert_refused(enfilade("frobnicate"), *SUBCOMMANDS)
+
+    def test_unknown_option(self):
+        self.assert_refused(enfilade("solve", ROOM, "-o", self.scratch / "run", "--sideways"),
+                            "--sideways", "enfilade solve --help")
+
+    def test_values_out_of_range(self):
+        for option, value in [("--target-error", "-1"), ("--target-error", "nan"), ("--target-error", "two"),
+                              ("--epsilon", "inf"), ("--basis", "cubic"), ("--assignment", "fair"),
+                              ("--order", "alphabetical"), ("--max-iterations", "0"), ("--memory", "lots"),
+                              ("--memory", "-5M"), ("--seed", "-1")]:
+            result = enfilade("solve", ROOM, "-o", self.scratch / "run", option, value)
+            with self.subTest(option=option, value=value):
+                self.assert_refused(result, option)
+                self.assertEqual(self.leftovers(), [])
+
+    def test_a_scene_without_run_directory(self):
+        self.assert_refused(enfilade("solve", ROOM), "-o")
+
+    def test_under_mpirun_one_line(self):
+        self.assert_refused(enfilade("solve", ROOM, "--sideways", ranks=3), "--sideways")
+
+
+def put(value, *keys):
+    """A change of the scene: the value under the last key."""
+    def change(scene):
+        for key in keys[:-1]:
+            scene = scene[key]
+        scene[keys[-1]] = value
+    return change
+
+
+class BadScenes(InScratch):
+    BAD = {
+        "other format": (put("other", "format"), ["format"]),
+        "future version": (put(99, "version"), ["version"]),
+        "no surfaces": (lambda s: s.pop("surfaces"), ["surfaces"]),
+        "two vertices": (put([[0, 0, 0], [1, 0, 0]], "surfaces", 2, "vertices"), ["surfaces[2]"]),
+        "word for a number": (put([0, 0, "up"], "surfaces", 3, "vertices", 1), ["surfaces[3]", "wall north"]),
+        "reflectance 1": (put([1.0], "surfaces", 1, "reflectance"), ["surfaces[1]", "ceiling"]),
+        "reflectance below 0": (put([-0.1], "surfaces", 1, "reflectance"), ["surfaces[1]", "ceiling"]),
+        "negative exitance": (put([-3], "surfaces", 6, "exitance"), ["surfaces[6]", "lamp"]),
+        "bands differ": (lambda s: (s["surfaces"][0].update(reflectance=[0.1, 0.2]),
+                                   s["surfaces"][1].update(reflectance=[0.1, 0.2, 0.3])), ["surfaces["]),
+        "bowtie": (put([[0, 0, 1], [1, 1, 1], [1, 0, 1], [0, 1, 1]], "surfaces", 7, "vertices"), ["table top"]),
+        "unknown unit": (put("furlong", "units"), ["units"]),
+        "unknown exitance unit": (put("nit", "exitanceUnits"), ["exitanceUnits"]),
+        "light without place": (put([{"type": "point", "intensity": [1]}], "lights"), ["lights[0]"]),
+        "probe without normal": (put([{"p": [1, 1, 1]}], "probes"), ["probes[0]"]),
+    }
+
+    def test_prepare_and_solve_refuse_and_leave_nothing(self):
+        for name, (change, words) in self.BAD.items():
+            path = self.scene(change)
+            for command in ("prepare", "solve"):
+                with self.subTest(name, command=command):
+                    result = enfilade(command, path, "-o", self.scratch / "run")
+                    self.addCleanup(shutil.rmtree, self.scratch / "run", ignore_errors=True)
+                    self.assert_refused(result, str(path), *words)
+                    self.assertFalse((self.scratch / "run").exists())
+
+    def test_text_that_is_no_json(self):
+        path = self.scratch / "scene.json"
+        for text, where in [("", ""), ('{"format": "enfilade-scene",\n "surfaces": [}', "line 2"), ("\0\1\2", "")]:
+            path.write_text(text)
+            self.assert_refused(enfilade("solve", path, "-o", self.scratch / "run"), str(path), where)
+            self.assertEqual(self.leftovers(path), [])
+
+    def test_files_that_are_not_there(self):
+        gone, run = self.scratch / "gone.json", self.scratch / "run"
+        for args in [("prepare", gone, "-o", run), ("solve", gone, "-o", run), ("info", gone),
+                     ("import", self.scratch / "gone.glb", "-o", run), ("solve", run, "--resume"),
+                     ("probe", run, "--points", gone, "-o", run), ("locate", run, "--points", gone, "-o", run),
+                     ("render", run, "-o", self.scratch / "a.png"), ("export", run, "-o", self.scratch / "a.glb"),
+                     ("report", run, "-o", self.scratch / "a.html")]:
+            with self.subTest(args=args[0]):
+                self.assert_refused(enfilade(*args))
+                self.assertEqual(self.leftovers(), [])
+
+    def test_a_model_of_unknown_kind(self):
+        path = self.scratch / "house.skp"
+        path.write_text("?")
+        self.assert_refused(enfilade("import", path, "-o", self.scratch / "scene.json"), "house.skp")
+        self.assertEqual(self.leftovers(path), [])
+
+    def test_three_ranks_refuse_with_one_line_and_none_hangs(self):
+        path = self.scene(put([1.2], "surfaces", 1, "reflectance"))
+        result = enfilade("solve", path, "-o", self.scratch / "run", ranks=3, timeout=60)
+        self.assert_refused(result, "ceiling")
+        self.assertEqual(self.leftovers(path), [])
+
+
+class BrokenRuns(InScratch):
+    def test_an_output_that_cannot_be_written_is_a_failure(self):
+        (self.scratch / "run").write_text("a file is in the way")
+        result = enfilade("prepare", ROOM, "-o", self.scratch / "run")
+        self.assertIn(result.returncode, (1, 2))
+        self.assertEqual(len(said(result)), 1, result.stderr)
+        self.assertEqual((self.scratch / "run").read_text(), "a file is in the way")
+
+    def test_ranks_fail_together(self):
+        (self.scratch / "run").write_text("a file is in the way")
+        result = enfilade("solve", ROOM, "-o", self.scratch / "run", ranks=2, timeout=60)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertEqual(len([line for line in said(result) if "error" in line]), 1, result.stderr)
+
+
+class Workflow(InScratch):
+    """One small room all the way through."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.home = Path(tempfile.mkdtemp(prefix="enfilade-cli-run-"))
+        cls.run_directory = cls.home / "run"
+        cls.solved = enfilade("solve", ROOM, "-o", cls.run_directory, ranks=2)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.home, ignore_errors=True)
+
+    def stats(self, run=None):
+        return json.loads(((run or self.run_directory) / "stats.json").read_text())
+
+    def test_solve_fills_the_run_directory(self):
+        self.assertEqual(self.solved.returncode, 0, self.solved.stderr)
+        for name in ["stats.json", "probes.json", "surfaces.csv", "solution.glb", "report.html"]:
+            self.assertGreater((self.run_directory / name).stat().st_size, 0, name)
+        self.assertTrue(list(self.run_directory.rglob("*.png")))
+        self.assertEqual([p for p in self.run_directory.rglob("*.tmp*")], [])
+
+    def test_it_ends_with_a_table_and_no_progress_when_piped(self):
+        self.assertRegex(self.solved.stdout, r"(?m)^  iterations +\d+$")
+        self.assertRegex(self.solved.stdout, r"(?m)^  ranks +2$")
+        self.assertNotIn("\r", self.solved.stdout + self.solved.stderr)
+
+    def test_stats_have_the_keys_that_scripts_rely_on(self):
+        keys = """surfaces lights cells portals clusters cluster_edges patches links bands basis iterations
+            converged residual estimated_error flux_balance rays form_factors ranks steals steal_requests messages
+            message_bytes bytes_read bytes_written peak_rss_bytes wall_s prepare_s solve_s""".split()
+        stats = self.stats()
+        self.assertEqual([k for k in keys if k not in stats], [])
+        self.assertEqual((stats["surfaces"], stats["ranks"], stats["bands"]), (8, 2, 1))
+        self.assertFalse([k for k, v in stats.items() if isinstance(v, dict)])
+
+    def test_probe_answers_keep_extra_keys_and_agree_with_the_solve(self):
+        answer = self.scratch / "answer.json"
+        result = enfilade("probe", self.run_directory, "--points", ROOM, "-o", answer)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        got, own = json.loads(answer.read_text()), json.loads((self.run_directory / "probes.json").read_text())
+        self.assertEqual((got["from"], got["unit"]), ("gather", "lx"))
+        self.assertEqual([p["label"] for p in got["probes"]], ["middle", "corner", "on the table", "under the table"])
+        self.assertEqual([p["E"] for p in got["probes"]], [p["E"] for p in own["probes"]])
+        middle, corner, on, under = [p["E"][0] for p in got["probes"]]
+        self.assertGreater(middle, corner)
+        self.assertGreater(on, 3 * under)
+
+    def test_patches_answer_like_a_gather(self):
+        answers = []
+        for method in ("gather", "patches"):
+            path = self.scratch / f"{method}.json"
+            result = enfilade("probe", self.run_directory, "--points", ROOM, "--from", method, "-o", path)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            document = json.loads(path.read_text())
+            self.assertEqual(document["from"], method)
+            answers.append(document["probes"][0]["E"][0])
+        self.assertNotEqual(answers[0], answers[1])
+        self.assertAlmostEqual(answers[1] / answers[0], 1.0, delta=0.05)
+
+    def test_bad_probes_are_refused(self):
+        points = self.scratch / "points.json"
+        points.write_text('{"probes": [{"p": [0, 0], "n": [0, 0, 1]}]}')
+        self.assert_refused(enfilade("probe", self.run_directory, "--points", points, "-o", self.scratch / "a.json"),
+                            "probes[0]")
+        self.assertEqual(self.leftovers(points), [])
+
+    def test_locate(self):
+        points, cells = self.scratch / "points.json", self.scratch / "cells.json"
+        points.write_text('{"points": [[2, 1.5, 1.5], [1, 1, 0.3], [500, 500, 500]]}')
+        result = enfilade("locate", self.run_directory, "--points", points, "-o", cells)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = json.loads(cells.read_text())["cells"]
+        self.assertEqual(len(found), 3)
+        self.assertTrue(all(isinstance(c, int) and c >= -1 for c in found))
+        self.assertNotEqual(found[0], -1)
+        self.assertEqual(found[0], found[1])
+
+    def test_export_graph_names_every_surface(self):
+        path = self.scratch / "graph.json"
+        self.assertEqual(enfilade("export", self.run_directory, "-o", path).returncode, 0)
+        graph = json.loads(path.read_text())
+        self.assertEqual({s for c in graph["clusters"] for s in c["surfaces"]}, set(range(8)))
+        ids = [c["id"] for c in graph["clusters"]]
+        self.assertEqual(ids, list(range(len(ids))))
+        self.assertTrue(all(a < b < len(ids) for a, b in graph["visible"]))
+        self.assertTrue(graph["visible"])
+
+    def test_export_model_is_gltf_binary(self):
+        path = self.scratch / "light.glb"
+        self.assertEqual(enfilade("export", self.run_directory, "-o", path).returncode, 0)
+        data = path.read_bytes()
+        self.assertEqual(data[:4], b"glTF")
+        self.assertEqual(int.from_bytes(data[8:12], "little"), len(data))
+
+    def test_export_of_another_kind_is_refused(self):
+        self.assert_refused(enfilade("export", self.run_directory, "-o", self.scratch / "light.fbx"), "light.fbx")
+
+    def test_render(self):
+        path = self.scratch / "room.png"
+        result = enfilade("render", self.run_directory, "-o", path, "--width", 64, "--height", 48)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        data = path.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual([int.from_bytes(data[i:i + 4], "big") for i in (16, 20)], [64, 48])
+
+    def test_report_of_two_runs(self):
+        path = self.scratch / "report.html"
+        result = enfilade("report", self.run_directory, self.run_directory, "-o", path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text = path.read_text()
+        self.assertIn("</html>", text)
+        self.assertFalse(re.search(r'(src|href)="https?:', text), "not self-contained")
+
+    def test_info(self):
+        scene, run = enfilade("info", ROOM), enfilade("info", self.run_directory)
+        self.assertEqual((scene.returncode, run.returncode), (0, 0), scene.stderr + run.stderr)
+        self.assertRegex(scene.stdout, r"(?m)^  surfaces +8$")
+        self.assertRegex(run.stdout, r"(?m)^  iterations +\d+$")
+        self.assertRegex(run.stdout, r"(?m)^  clusters +\d+$")
+
+    def test_quiet_says_nothing_and_no_pictures_makes_none(self):
+        run = self.scratch / "run"
+        result = enfilade("solve", ROOM, "-o", run, "--quiet", "--no-pictures")
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        self.assertEqual(list(run.rglob("*.png")), [])
+        self.assertTrue((run / "stats.json").exists())
+
+    def test_a_prepared_run_is_solved_in_place(self):
+        run = self.scratch / "run"
+        self.assertEqual(enfilade("prepare", ROOM, "-o", run).returncode, 0)
+        self.assert_refused(enfilade("export", run, "-o", self.scratch / "a.glb"))
+        result = enfilade("solve", run, "--no-pictures")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.stats(run)["surfaces"], 8)
+
+    def test_options_reach_the_solver(self):
+        rough, constant = self.scratch / "rough", self.scratch / "constant"
+        for run, *options in [(rough, "--target-error", "0.2"), (constant, "--basis", "constant")]:
+            result = enfilade("solve", ROOM, "-o", run, "--no-pictures", *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertLess(self.stats(rough)["links"], self.stats()["links"])
+        self.assertEqual(self.stats(constant)["basis"], "constant")
+
+    def test_resume_of_a_finished_run_changes_nothing(self):
+        run = self.scratch / "run"
+        shutil.copytree(self.run_directory, run)
+        result = enfilade("solve", run, "--resume", "--no-pictures")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        before, after = [json.loads((r / "probes.json").read_text())["probes"] for r in (self.run_directory, run)]
+        for a, b in zip(before, after):
+            self.assertAlmostEqual(b["E"][0] / a["E"][0], 1.0, delta=0.005)
+
+
+if __name__ == "__main__":
+    ENFILADE = ENFILADE or sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,134 @@
+// The whole solve on a furnace: every surface sends out (1 - reflectance) H, so that E = B = H everywhere. Two
+// rooms joined by a door, a crate in one of them.
+#include <filesystem>
+
+#include "check.hpp"
+#include "parallel/prepare.hpp"
+#include "parallel/solve.hpp"
+#include "scene/scene_io.hpp"
+#include "store/manifest.hpp"
+#include "store/solution.hpp"
+
+namespace enfilade::spmd_tests {
+namespace {
+
+constexpr double reflectance = 0.5, level = 3.0;
+
+void add_quad(Scene& scene, const std::string& object, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  Surface s;
+  s.vertices = {a, b, c, d};
+  s.reflectance = {reflectance};
+  s.exitance = {(1.0 - reflectance) * level};
+  s.object = object;
+  scene.surfaces.push_back(s);
+}
+
+/// The six sides of a box, facing in or out.
+void add_box(Scene& scene, const std::string& object, Vec3 lo, Vec3 hi, bool inwards) {
+  const auto side = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    inwards ? add_quad(scene, object, a, b, c, d) : add_quad(scene, object, d, c, b, a);
+  };
+  const auto at = [&](int x, int y, int z) {
+    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
+  };
+  side(at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0));
+  side(at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1));
+  side(at(0, 0, 0), at(0, 0, 1), at(1, 0, 1), at(1, 0, 0));
+  side(at(0, 1, 0), at(1, 1, 0), at(1, 1, 1), at(0, 1, 1));
+  side(at(0, 0, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1));
+  side(at(1, 0, 0), at(1, 0, 1), at(1, 1, 1), at(1, 1, 0));
+}
+
+/// A wall with a door, seen from both rooms: two jambs and a lintel, 0.2 m thick.
+Scene furnace() {
+  Scene scene;
+  add_box(scene, "house", {0, 0, 0}, {8.2, 4, 2.5}, true);
+  add_box(scene, "jamb 1", {4, 0, 0}, {4.2, 1.5, 2.5}, false);
+  add_box(scene, "jamb 2", {4, 2.5, 0}, {4.2, 4, 2.5}, false);
+  add_box(scene, "lintel", {4, 1.5, 2.0}, {4.2, 2.5, 2.5}, false);
+  add_box(scene, "crate", {1, 1, 0.3}, {1.7, 2.2, 1.1}, false);
+  return scene;
+}
+
+/// The furnace, prepared in RUN.
+Prepared prepared_furnace(Context& context, const std::string& run) {
+  const std::string scene_file = context.directory + "/furnace.json";
+  context.communicator.on_root([&] {
+    std::filesystem::remove_all(run);
+    write_scene(furnace(), scene_file);
+  });
+  Warnings warnings;
+  return prepare_on_root(context.communicator, scene_file, run, {}, warnings);
+}
+
+/// Mean radiosity of each cluster; on rank 0.
+std::vector<double> radiosities(const std::string& run) {
+  std::vector<double> means;
+  for (const ClusterState& state : read_solution(run)) {
+    double power = 0.0, area = 0.0;
+    for (std::size_t i = 0; i < state.patches().polygons(); ++i) {
+      power += state.patches().node(i).shape.area_m2 * state.patches().radiosity(i)[0];
+      area += state.patches().node(i).shape.area_m2;
+    }
+    means.push_back(power / area);
+  }
+  return means;
+}
+
+}  // namespace
+
+void solve_rooms(Context& context) {
+  const std::string run = context.directory + "/RUN";
+  const Prepared prepared = prepared_furnace(context, run);
+  SolveConfig config;
+  config.run_directory = run;
+  config.target_error = 0.05;
+  int seen = 0;
+  const RunRecord record =
+      solve(config, prepared, context.communicator, context.machine, [&](const IterationSummary&) { ++seen; });
+  context.communicator.on_root([&] {
+    SPMD_CHECK(record.number("iterations", 0) == seen && seen > 1, std::to_string(seen) + " iterations seen");
+    SPMD_CHECK(record.number("ranks", 0) == context.communicator.size(), "ranks");
+    SPMD_CHECK(record.number("bytes_written", 0) > 0, "bytes_written");
+    double area = 0.0, wrong = 0.0;
+    for (const ClusterState& state : read_solution(run)) {
+      const PatchForest& forest = state.patches();
+      for (std::size_t i = 0; i < forest.size(); ++i) {
+        if (!forest.node(i).leaf()) continue;
+        area += forest.node(i).shape.area_m2;
+        wrong += forest.node(i).shape.area_m2 * std::abs(forest.radiosity(i)[0] / level - 1.0);
+      }
+    }
+    SPMD_CHECK(wrong / area < 0.05, std::to_string(wrong / area));
+  });
+}
+
+void solve_in_little_memory(Context& context) {
+  // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and more reading.
+  Communicator& c = context.communicator;
+  const std::string run = context.directory + "/RUN";
+  const Prepared prepared = prepared_furnace(context, run);
+  SolveConfig config;
+  config.run_directory = run;
+  config.target_error = 0.05;
+  const RunRecord rich = solve(config, prepared, c, context.machine);
+  std::vector<double> expected;
+  c.on_root([&] { expected = radiosities(run); });
+  config.memory_bytes =
+      std::stoull(c.broadcast(std::to_string(std::llround(rich.number("peak_cluster_bytes", 0.0) / 4.0))));
+  const RunRecord poor = solve(config, prepared, c, context.machine);
+  c.on_root([&] {
+    const std::vector<double> got = radiosities(run);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const double tolerance = c.size() == 1 ? 0.0 : 0.02 * level;
+      SPMD_CHECK(std::abs(got[i] - expected[i]) <= tolerance, std::to_string(got[i] - expected[i]));
+    }
+    SPMD_CHECK(poor.number("bytes_read", 0) > rich.number("bytes_read", 0), "nothing was read again");
+    const double peak = poor.number("peak_cluster_bytes", 0);
+    SPMD_CHECK(peak < 0.75 * rich.number("peak_cluster_bytes", 0), std::to_string(peak));
+    SPMD_CHECK(peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
+               "more in memory than the run owns up to");
+  });
+}
+
+}  // namespace enfilade::spmd_tests

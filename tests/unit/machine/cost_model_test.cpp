@@ -1,0 +1,90 @@
+#include "machine/cost_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+const std::string shipped = ENFILADE_SOURCE_DIR "/platforms/cost_model.json";
+
+std::string text_of_shipped() {
+  std::ifstream in(shipped);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// The shipped model with one piece of text replaced.
+std::string altered(const std::string& what, const std::string& by) {
+  std::string text = text_of_shipped();
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  text.replace(at, what.size(), by);
+  const std::string path = testing::TempDir() + "/altered_cost_model.json";
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string message_for(const std::string& path) {
+  try {
+    read_cost_model(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CostModel, DefaultsAreThoseOfTheShippedFile) {
+  const CostModel file = read_cost_model(shipped), built;
+  WorkCount one_of_each{1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  EXPECT_DOUBLE_EQ(price_flops(file, one_of_each), price_flops(built, one_of_each));
+  EXPECT_DOUBLE_EQ(file.flops.ray, built.flops.ray);
+  EXPECT_DOUBLE_EQ(file.disk.seek_s, built.disk.seek_s);
+  EXPECT_DOUBLE_EQ(file.disk.request_s, built.disk.request_s);
+  EXPECT_EQ(file.disk.request_bytes, built.disk.request_bytes);
+  EXPECT_EQ(file.records.link_bytes, built.records.link_bytes);
+}
+
+TEST(CostModel, PricesEachKindOfWorkByItsOwnCost) {
+  const CostModel m = read_cost_model(altered("\"ray\": 3000", "\"ray\": 1000"));
+  WorkCount work;
+  work.rays = 7;
+  EXPECT_DOUBLE_EQ(price_flops(m, work), 7000.0);
+  work.push_pulls = 2;
+  EXPECT_DOUBLE_EQ(price_flops(m, work), 7000.0 + 2 * m.flops.push_pull);
+}
+
+TEST(CostModel, RecordsCountAtTheirOwnSizeUnlessTheModelHasAnother) {
+  const RecordCount count{10, 20, 30, 12345};
+  EXPECT_EQ(price_record(CostModel{}, count), 12345u);
+  const CostModel m = read_cost_model(altered("\"link_bytes\": 0", "\"link_bytes\": 800"));
+  EXPECT_EQ(price_record(m, count), 30u * 800u);
+}
+
+TEST(CostModel, NamesWhatIsWrongWithAFile) {
+  EXPECT_NE(message_for(altered("\"ray\": 3000", "\"ray\": -1")).find("flops.ray"), std::string::npos);
+  EXPECT_NE(message_for(altered("\"ray\"", "\"rays\"")).find("flops.rays"), std::string::npos);
+  EXPECT_NE(message_for(altered("    \"seek_s\": 0.012,\n", "")).find("disk.seek_s: missing"), std::string::npos);
+  EXPECT_NE(message_for(altered("enfilade-cost-model", "x")).find("format"), std::string::npos);
+  EXPECT_NE(message_for(altered("{", "")).find("is not JSON"), std::string::npos);
+  EXPECT_NE(message_for("no/such/file.json").find("cannot be read"), std::string::npos);
+}
+
+TEST(ParseBytes, TakesSuffixesAndRefusesTheRest) {
+  EXPECT_EQ(parse_bytes("123", "f", "w"), 123u);
+  EXPECT_EQ(parse_bytes("2K", "f", "w"), 2048u);
+  EXPECT_EQ(parse_bytes("1.5M", "f", "w"), 1572864u);
+  EXPECT_EQ(parse_bytes("4GiB", "f", "w"), std::uint64_t{4} << 30);
+  for (const char* bad : {"", "M", "-1", "12Q", "1e30G", "nan"}) {
+    EXPECT_THROW(parse_bytes(bad, "f", "w"), InputError) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,77 @@
+// Small scenes and texts that the tests of this room share.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+
+inline std::string test_data(const std::string& name) {
+  return std::string(ENFILADE_TEST_DATA) + "/scene/" + name;
+}
+
+/// A folder of its own for each test, gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "enfilade_scene_XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return (path_ / name).string();
+  }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
+                                                  std::filesystem::directory_iterator()));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// What an InputError says, or "" where none is thrown.
+template <class Action>
+std::string input_error(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline std::string all_warnings(const Warnings& warnings) {
+  std::string text;
+  for (const Warning& w : warnings.all()) text += w.where + ": " + w.what + "\n";
+  return text;
+}
+
+inline double total_area(const std::vector<Piece>& pieces) {
+  double sum = 0.0;
+  for (const Piece& piece : pieces) sum += area_m2(piece.polygon);
+  return sum;
+}
+
+inline Surface grey_surface(Polygon vertices, double exitance = 0.0) {
+  Surface surface;
+  surface.vertices = std::move(vertices);
+  surface.reflectance = {0.5};
+  surface.exitance = {exitance};
+  return surface;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,112 @@
+#include "store/resident_clusters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rooms.hpp"
+
+namespace enfilade {
+namespace {
+
+using store_tests::CountingMachine;
+using store_tests::fresh_run;
+using store_tests::Rooms;
+
+ClusterId id(std::size_t i) { return ClusterId(i); }
+
+struct ResidentClustersTest : testing::Test {
+  RunLayout layout = fresh_run(testing::UnitTest::GetInstance()->current_test_info()->name());
+  CountingMachine machine;
+  Rooms rooms{6};
+  ClusterStore store{layout, Rank{0}, 6, machine};
+
+  ResidentClustersTest() {
+    for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
+  }
+  /// Bytes that one of the clusters takes.
+  std::uint64_t size() {
+    ResidentClusters one(store, machine, 0);
+    one.pin_shooter(id(0));
+    return one.bytes();
+  }
+};
+
+TEST_F(ResidentClustersTest, WithoutPressureNothingIsReadTwice) {
+  ResidentClusters resident(store, machine, 0);
+  for (int round = 0; round < 3; ++round) {
+    for (std::size_t i = 0; i < 6; ++i) resident.pin_shooter(id(i));
+    resident.unpin();
+  }
+  EXPECT_EQ(resident.count().loads, 6u);
+  EXPECT_EQ(resident.count().hits, 12u);
+  EXPECT_EQ(resident.resident().size(), 6u);
+}
+
+TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
+  ResidentClusters resident(store, machine, 0);
+  resident.pin_receiver(id(0)).patches().radiosity(0)[0] = 42.0;
+  resident.pin_shooter(id(1));
+  resident.write_receiver(id(0));
+  resident.unpin();
+  store.move_to_common();
+  store.set_committed(1);
+  // Another rank has gathered for cluster 1 meanwhile.
+  CountingMachine elsewhere;
+  ClusterStore other(layout, Rank{1}, 6, elsewhere);
+  ResidentClusters others(other, elsewhere, 0);
+  others.pin_receiver(id(1)).patches().radiosity(0)[0] = 43.0;
+  others.write_receiver(id(1));
+  other.move_to_common();
+
+  const std::uint64_t loads = resident.count().loads;
+  EXPECT_EQ(resident.pin_shooter(id(0)).patches().radiosity(0)[0], 42.0);
+  EXPECT_EQ(resident.count().loads, loads);
+  EXPECT_EQ(resident.pin_shooter(id(1)).patches().radiosity(0)[0], 43.0);
+  EXPECT_EQ(resident.count().loads, loads + 1);
+}
+
+TEST_F(ResidentClustersTest, UnderPressureTheFarthestNextUseGoesFirst) {
+  ResidentClusters resident(store, machine, 3 * size() + size() / 2);
+  const std::vector<std::uint64_t> next_use = {5, 9, 1, 7, 3, 2};
+  resident.set_next_use([&](ClusterId c, bool) { return next_use[c.index()]; });
+  for (std::size_t i = 0; i < 4; ++i) {
+    resident.pin_shooter(id(i));
+    resident.unpin();
+  }
+  EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(0), id(2), id(3)}));
+  resident.pin_shooter(id(4));
+  resident.unpin();
+  EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(0), id(2), id(4)}));
+  EXPECT_LE(resident.bytes(), 3 * size() + size() / 2);
+}
+
+TEST_F(ResidentClustersTest, WhatIsEvictedComesBackAsItWas) {
+  ResidentClusters resident(store, machine, 1);  // room for nothing
+  for (std::size_t i = 0; i < 6; ++i) {
+    ClusterState& state = resident.pin_receiver(id(i));
+    state.patches().subdivide(0);
+    state.patches().radiosity(0)[0] = 100.0 + static_cast<double>(i);
+    resident.write_receiver(id(i));
+    resident.unpin();
+    EXPECT_TRUE(resident.resident().empty());
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ClusterState& state = resident.pin_receiver(id(i));
+    EXPECT_EQ(state.patches().size(), 3u);
+    EXPECT_EQ(state.patches().radiosity(0)[0], 100.0 + static_cast<double>(i));
+    resident.unpin();
+  }
+  EXPECT_GT(resident.count().over_budget_bytes, 0u) << "a gather that needs more than there is says so";
+}
+
+TEST_F(ResidentClustersTest, PinnedOnesStayWhateverTheBudget) {
+  ResidentClusters resident(store, machine, 1);
+  const ClusterState& first = resident.pin_receiver(id(0));
+  for (std::size_t i = 1; i < 6; ++i) resident.pin_shooter(id(i));
+  EXPECT_EQ(first.id(), id(0));
+  EXPECT_EQ(resident.resident().size(), 6u);
+  resident.unpin();
+  EXPECT_TRUE(resident.resident().empty());
+}
+
+}  // namespace
+}  // namespace enfilade

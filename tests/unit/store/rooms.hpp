@@ -1,0 +1,66 @@
+// A few small clusters for the store's tests, and a machine that counts what it is charged.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "machine/machine.hpp"
+#include "radiosity/cluster_state.hpp"
+#include "store/posix_file.hpp"
+#include "store/run_layout.hpp"
+
+namespace enfilade::store_tests {
+
+class CountingMachine final : public Machine {
+ public:
+  void compute(const WorkCount&) override {}
+  void read(Disk disk, std::uint64_t, std::uint64_t bytes) override {
+    (disk == Disk::common ? common_read : local_read) += bytes;
+  }
+  void write(Disk disk, std::uint64_t, std::uint64_t bytes) override {
+    (disk == Disk::common ? common_written : local_written) += bytes;
+  }
+  void move_to_common(std::uint64_t, std::uint64_t) override { ++moves; }
+  std::uint64_t record_bytes(const RecordCount& count) const override { return count.bytes; }
+  std::uint64_t memory_bytes() const override { return 0; }
+  double now_s() const override { return 0.0; }
+  void pause(int) override {}
+  bool simulated() const override { return false; }
+  std::string host() const override { return "here"; }
+
+  std::uint64_t common_read = 0, local_read = 0, common_written = 0, local_written = 0, moves = 0;
+};
+
+/// `count` unit squares side by side, one a cluster.
+struct Rooms {
+  Scene scene;
+  std::vector<Cluster> clusters;
+
+  explicit Rooms(std::size_t count) {
+    scene.bands = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 2.0 * static_cast<double>(i);
+      Surface s;
+      s.vertices = {{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0}, {x, 1, 0}};
+      s.reflectance = {0.5};
+      s.exitance = {1.0 + static_cast<double>(i)};
+      scene.surfaces.push_back(s);
+      Cluster c;
+      c.id = ClusterId(i);
+      c.cell = CellId(0u);
+      c.polygons = {{SurfaceId(i), s.vertices}};
+      c.bounds = bounds(s.vertices);
+      c.area_m2 = 1.0;
+      clusters.push_back(c);
+    }
+  }
+  ClusterState state(std::size_t i) const { return ClusterState(clusters[i], scene, Basis::constant); }
+};
+
+inline RunLayout fresh_run(const std::string& name) {
+  const std::string run = testing::TempDir() + "/" + name;
+  remove_directory(run);
+  make_directory(run + "/common");
+  return RunLayout(run);
+}
+
+}  // namespace enfilade::store_tests

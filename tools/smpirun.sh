@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# tools/smpirun.sh RANKS PROGRAM ARGUMENTS...: runs a program on the first RANKS hosts of a simulated cluster.
+# PLATFORM and HOSTFILE choose another cluster than platforms/office.xml.
+set -euo pipefail
+ranks=$1
+shift
+here=$(cd "$(dirname "$0")/.." && pwd)
+platform=${PLATFORM:-$here/platforms/office.xml}
+hostfile=${HOSTFILE:-$here/platforms/office-$ranks.hosts}
+exec smpirun -np "$ranks" -platform "$platform" -hostfile "$hostfile" \
+  --log=root.thres:warning "$@"
