@@ -108,8 +108,19 @@ double light_ahead(const Place& place, int i) {
   return sum / (directions / 4 + 1);
 }
 
-/// Backed against the wall behind, looking along the longest view, of its two ends the brighter.
-Camera looking_far(const Place& place, const std::string& name) {
+/// Room to all sides, and more of it ahead: no reveal or cupboard fills the picture.
+bool stands_free(const SolvedScene& solved, const Vec3& eye, int ahead, double least_m) {
+  for (int i = 0; i < directions; ++i) {
+    const int turn = std::min((i - ahead + directions) % directions, (ahead - i + directions) % directions);
+    const double wanted_m = turn <= directions / 8 ? 3.0 * least_m : least_m;
+    const RayHit hit = solved.occluders.rays().closest(eye, direction(i), RayScene::no_polygon, wanted_m);
+    if (hit.any()) return false;
+  }
+  return true;
+}
+
+/// Backed towards the wall behind, looking along the longest view, of its two ends the brighter.
+Camera looking_far(const SolvedScene& solved, const Place& place, double eye_height_m, const std::string& name) {
   const auto length = [&](int i) {
     return place.distance_m[i] + place.distance_m[(i + directions / 2) % directions];
   };
@@ -121,7 +132,13 @@ Camera looking_far(const Place& place, const std::string& name) {
   const double back_m = place.distance_m[(best + directions / 2) % directions];
   Camera camera;
   camera.name = name;
-  camera.eye = place.eye - direction(best) * std::max(0.0, back_m - 0.12 * length(best));
+  camera.eye = place.eye;
+  for (double share : {0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
+    const Vec3 eye = place.eye - direction(best) * (share * back_m);
+    if (!stands_free(solved, eye, best, 0.3 * eye_height_m)) continue;
+    camera.eye = eye;
+    break;
+  }
   // A little downward: the floor shows more of the light than the ceiling.
   camera.look_at = camera.eye + direction(best) - Vec3(0, 0, 0.10);
   camera.vertical_angle_deg = 62.0;
@@ -169,7 +186,7 @@ void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config,
     });
     if (seen) continue;
     taken.push_back(place.eye);
-    cameras.push_back(looking_far(place, "room-" + std::to_string(taken.size())));
+    cameras.push_back(looking_far(solved, place, eye_height_m, "room-" + std::to_string(taken.size())));
   }
 }
 
