@@ -101,6 +101,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history, std::sp
   manifest.scene_hash = prepared_.scene.hash;
   manifest.finished = finished;
   manifest.correction.assign(offsets.begin(), offsets.end());
+  manifest.group_of_cluster = group_of_cluster_;
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);
   commit_manifest(store_.layout(), manifest);

@@ -27,7 +27,7 @@ double mean(std::span<const double> values) {
 struct Place {
   Vec3 eye;
   double distance_m[directions] = {};
-  double light[directions] = {};
+  double light[directions] = {};  ///< 0 where nothing or a back is seen
   double room_m2 = 0.0, mean_light = 0.0;
 };
 
@@ -99,13 +99,18 @@ class PlaceFinder {
   double eye_height_m_;
 };
 
-/// Light ahead, over a quarter of the horizon.
+/// Light ahead, over a third of the horizon, times the share of it where lit surfaces are: a picture of windows or
+/// of black backs shows little.
 double light_ahead(const Place& place, int i) {
   double sum = 0.0;
-  for (int k = -directions / 8; k <= directions / 8; ++k) {
-    sum += place.light[(i + k + directions) % directions];
+  int lit = 0;
+  for (int k = -directions / 6; k <= directions / 6; ++k) {
+    const double light = place.light[(i + k + directions) % directions];
+    sum += light;
+    lit += light > 0.0;
   }
-  return sum / (directions / 4 + 1);
+  constexpr double looks = 2 * (directions / 6) + 1;
+  return sum / looks * std::pow(lit / looks, 2);
 }
 
 /// Room to all sides, and more of it ahead: no reveal or cupboard fills the picture.
@@ -125,7 +130,7 @@ Camera looking_far(const SolvedScene& solved, const Place& place, double eye_hei
     return place.distance_m[i] + place.distance_m[(i + directions / 2) % directions];
   };
   int best = 0;
-  const auto worth = [&](int i) { return length(i) * (0.3 * place.mean_light + light_ahead(place, i)); };
+  const auto worth = [&](int i) { return length(i) * (0.1 * place.mean_light + light_ahead(place, i)); };
   for (int i = 1; i < directions; ++i) {
     if (worth(i) > worth(best)) best = i;
   }
@@ -135,7 +140,7 @@ Camera looking_far(const SolvedScene& solved, const Place& place, double eye_hei
   camera.eye = place.eye;
   for (double share : {0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
     const Vec3 eye = place.eye - direction(best) * (share * back_m);
-    if (!stands_free(solved, eye, best, 0.3 * eye_height_m)) continue;
+    if (!stands_free(solved, eye, best, 0.45 * eye_height_m)) continue;
     camera.eye = eye;
     break;
   }

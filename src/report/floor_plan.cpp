@@ -134,7 +134,7 @@ FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Sto
     drawing.fill(polygons, colour, tip);
   }
   drawing.lines(wall_lines(solved, z_m));
-  const double dot_m = 0.0035 * std::max(box.extent().x, box.extent().y);
+  const double dot_m = 0.0024 * std::max(box.extent().x, box.extent().y);
   for (std::size_t c = 0; c < std::min(owner.size(), solved.clusters.size()); ++c) {
     const Vec3 p = solved.clusters[c].bounds.center();
     if (p.z < storey.floor_m - 0.1 || p.z > storey.floor_m + storey.headroom_m + 0.1) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "report/charts.hpp"
 #include "report/html_style.hpp"
@@ -107,6 +108,8 @@ std::string convergence(const RunPage& run) {
                                                         {"max_change", "largest change of radiosity"}};
   std::vector<Series> series;
   for (const auto& [key, name] : errors) {
+    // In the scene's unit, so alone on its axis.
+    if (std::string_view(key) == "max_change" && !series.empty()) continue;
     Series s = column(run, key, name, rank_colour(static_cast<int>(series.size())));
     const bool any = std::any_of(s.points.begin(), s.points.end(), [](const auto& p) { return p.second > 0.0; });
     if (any) series.push_back(std::move(s));

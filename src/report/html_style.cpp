@@ -26,7 +26,7 @@ svg{display:block;width:100%;height:auto}
 .grid{stroke:var(--line);stroke-width:1}.tick{fill:var(--soft);font:12px system-ui,sans-serif}
 .plan{max-height:560px}.plan .cell{stroke-width:.02;fill-opacity:.82}
 .plan .wall{fill:none;stroke:var(--ink);stroke-width:.05;stroke-linecap:round}
-.plan .cluster{stroke:var(--card);stroke-width:.02}
+.plan .cluster{stroke:var(--card);stroke-width:.015}
 .legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:13px;color:var(--soft);margin-bottom:8px}
 .legend i{display:inline-block;width:11px;height:11px;border-radius:3px;margin-right:6px}
 .scroll{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:14px}

@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "radiosity/point_gather.hpp"
+#include "report/smooth_light.hpp"
 
 namespace enfilade {
 
@@ -63,13 +64,14 @@ class Painter {
                              static_cast<std::size_t>(x);
       Random random(config_.seed * 0x9E3779B97F4A7C15ull + at);
       const double shift_x = random.uniform(), shift_y = random.uniform();
+      Gathered gathered;
       for (int s = 0; s < config_.samples; ++s) {
         // The R2 sequence (Roberts 2018) covers a pixel evenly with any number of samples.
         const double i = s + 0.5;
         const double dx = std::fmod(shift_x + i * 0.7548776662466927, 1.0);
         const double dy = std::fmod(shift_y + i * 0.5698402909980532, 1.0);
         add(lens_.ray(2.0 * (x + dx) / config_.width - 1.0, 1.0 - 2.0 * (y + dy) / config_.height),
-            image.pixels[at]);
+            std::fmod(shift_x + shift_y + i * 0.6180339887498949, 1.0), image.pixels[at], gathered);
       }
       scale(image.pixels[at], 1.0f / static_cast<float>(config_.samples));
     }
@@ -101,7 +103,16 @@ class Painter {
     return met;
   }
 
-  void add(Ray ray, LightImage::Pixel& pixel) const {
+  /// A pixel's gathers: one for each polygon in it, whatever the number of samples.
+  using Gathered = std::vector<std::pair<std::uint32_t, Spectrum>>;
+  const Spectrum& gather_once(std::uint32_t polygon, const Vec3& p, const Vec3& n, Gathered& gathered) const {
+    for (const auto& [known, e] : gathered) {
+      if (known == polygon) return e;
+    }
+    return gathered.emplace_back(polygon, gather_->irradiance(p, n)).second;
+  }
+
+  void add(Ray ray, double turn, LightImage::Pixel& pixel, Gathered& gathered) const {
     if (camera_.cut_above_m && !go_to_cut(ray)) return;
     std::uint32_t skip = RayScene::no_polygon;
     for (int culled = 0; culled < 256; ++culled) {
@@ -116,7 +127,7 @@ class Painter {
         skip = met.hit.polygon;
         continue;
       }
-      if (met.hit.front) add_light(solved_.occluders.local(met.hit.polygon), met.p, pixel);
+      if (met.hit.front) add_light(met, turn, pixel, gathered);
       pixel.cover += 1.0f;
       return;
     }
@@ -168,17 +179,19 @@ class Painter {
     return free > looks / 2;
   }
 
-  void add_light(const PolygonRef& ref, const Vec3& p, LightImage::Pixel& pixel) const {
+  void add_light(const Met& met, double turn, LightImage::Pixel& pixel, Gathered& gathered) const {
+    const PolygonRef ref = solved_.occluders.local(met.hit.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
     std::vector<double> e(static_cast<std::size_t>(forest.bands())), b(e.size());
     if (gather_) {
-      e = gather_->irradiance(p, frame.n);
-      for (std::size_t i = 0; i < e.size(); ++i) b[i] = frame.exitance[i] + frame.reflectance[i] * e[i];
+      e = gather_once(met.hit.polygon, met.p, frame.n, gathered);
     } else {
-      forest.evaluate(false, ref.polygon, p, e);
-      forest.evaluate(true, ref.polygon, p, b);
+      forest.evaluate(false, ref.polygon, met.p, e);
     }
+    b = e;
+    if (!gather_ && config_.smooth) smooth_irradiance(forest, ref.polygon, met.p, turn, b);
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
     const auto rgb = display_rgb(b);
     for (std::size_t c = 0; c < 3; ++c) pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
     double mean = 0.0;

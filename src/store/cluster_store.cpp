@@ -97,10 +97,10 @@ void ClusterStore::move_to_common() {
   for (const auto& [id, local] : local_) {
     const Slot links_slot = links_slot_[id.index()];
     if (local.links) {
-      move_file(RunLayout::links(local_directory_, id, links_slot), RunLayout::links(common, id, links_slot));
+      exchange_file(RunLayout::links(local_directory_, id, links_slot), RunLayout::links(common, id, links_slot));
       machine_.move_to_common(id.value, local.links_bytes);
     }
-    move_file(RunLayout::patches(local_directory_, id, slot), RunLayout::patches(common, id, slot));
+    exchange_file(RunLayout::patches(local_directory_, id, slot), RunLayout::patches(common, id, slot));
     machine_.move_to_common(id.value, local.patches_bytes);
   }
   local_.clear();

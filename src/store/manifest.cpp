@@ -39,6 +39,7 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.finished = json.at("finished");
     m.history = json.at("history").get<std::vector<std::vector<double>>>();
     m.correction = json.at("correction").get<std::vector<double>>();
+    m.group_of_cluster = json.at("group_of_cluster").get<std::vector<std::uint32_t>>();
     return m;
   } catch (const nlohmann::json::exception&) {
     throw RunError(path + ": damaged; solve again without --resume");
@@ -60,7 +61,8 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
                                  {"scene_hash", hash},
                                  {"finished", m.finished},
                                  {"history", history},
-                                 {"correction", finite(m.correction)}};
+                                 {"correction", finite(m.correction)},
+                                 {"group_of_cluster", m.group_of_cluster}};
   // An iteration under way must outlive the death of its processes, which the page cache does; a finished run
   // must outlive the machine's as well.
   if (m.finished) flush_to_disk(layout.common());

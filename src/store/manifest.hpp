@@ -21,6 +21,7 @@ struct Manifest {
   std::vector<std::vector<double>> history;
   /// What the next iteration corrects this one's light by; may be empty.
   std::vector<double> correction;
+  std::vector<std::uint32_t> group_of_cluster;  ///< a cluster's row of `correction`
 
   /// The slot that this iteration's patches lie in.
   Slot slot() const { return iteration % 2 == 0 ? Slot::a : Slot::b; }

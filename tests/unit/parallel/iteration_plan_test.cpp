@@ -53,6 +53,28 @@ TEST(IterationPlan, EstimateCountsTheChangesThatAreStillToCome) {
   EXPECT_NEAR(estimate_error(history), 9.5 * 19.0 / 100.0, 1e-9);
 }
 
+TEST(IterationPlan, RefinesUntilTheAskedErrorIsEstimated) {
+  const PlanConfig asked{.emitted_power = 10.0, .target_error = 0.02, .max_iterations = 50};
+  std::vector<IterationSummary> history = {summary(1, 50.0, 9000), summary(2, 0.005)};
+  for (IterationSummary& s : history) s.plan.link_tolerance = 1e-3;
+  history.back().sums.link_error_power = 50.0;  // half of all that is received: far above 2%
+  const IterationPlan finer = next_plan(history, asked);
+  EXPECT_FALSE(finer.finished);
+  EXPECT_LT(finer.link_tolerance, 0.7 * 1e-3 + 1e-12);
+  EXPECT_TRUE(finer.refine);
+
+  history.back().sums.link_error_power = 1.0;
+  EXPECT_TRUE(next_plan(history, asked).converged);
+
+  // Finer tolerances that find nothing left to refine: it ends, and says that it did not get there.
+  history.back().sums.link_error_power = 50.0;
+  history.back().plan.link_tolerance = 0.5e-3;
+  history.back().plan.refine = true;
+  const IterationPlan stuck = next_plan(history, asked);
+  EXPECT_TRUE(stuck.finished);
+  EXPECT_FALSE(stuck.converged);
+}
+
 TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   IterationSummary s = summary(7, 3.25, 12);
   s.plan.link_tolerance = 0.125;

@@ -120,6 +120,36 @@ TEST(Render, GatherAgreesWithEvenLight) {
   EXPECT_NEAR(pixel(image, 2, 2).radiosity[0], 0.5f * pixel(image, 2, 2).irradiance, 1e-3);
 }
 
+TEST(Render, SmoothLightKeepsSlopesAndMeans) {
+  LitRooms rooms(1, 1, Basis::constant);
+  rooms.subdivide(1.3);
+  rooms.set_irradiance([](const Vec3& p) { return 10.0 * p.x; });
+  Camera camera = looking({2.0, 2.5, 2.0}, {2.0, 2.5, 0.0});
+  camera.up = {0, 1, 0};
+  camera.parallel_height_m = 2.0;
+  RenderConfig config = small(40, 40);
+  config.samples = 16;
+  const LightImage smooth = render(rooms.solved(), camera, config);
+  config.smooth = false;
+  const LightImage plain = render(rooms.solved(), camera, config);
+  double widest_plain = 0.0, widest_smooth = 0.0, sum_plain = 0.0, sum_smooth = 0.0;
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      sum_plain += pixel(plain, x, y).radiosity[0];
+      sum_smooth += pixel(smooth, x, y).radiosity[0];
+      EXPECT_EQ(pixel(smooth, x, y).irradiance, pixel(plain, x, y).irradiance);
+      if (x == 0) continue;
+      const auto step = [&](const LightImage& image) {
+        return std::abs(pixel(image, x, y).radiosity[0] - pixel(image, x - 1, y).radiosity[0]);
+      };
+      widest_plain = std::max<double>(widest_plain, step(plain));
+      widest_smooth = std::max<double>(widest_smooth, step(smooth));
+    }
+  }
+  EXPECT_LT(widest_smooth, 0.5 * widest_plain) << "steps between patches become slopes";
+  EXPECT_NEAR(sum_smooth, sum_plain, 0.01 * sum_plain);
+}
+
 TEST(Render, BandsBecomeColours) {
   EXPECT_EQ(display_rgb(std::vector<double>{4.0}), (std::array<double, 3>{4, 4, 4}));
   EXPECT_EQ(display_rgb(std::vector<double>{1, 2, 3}), (std::array<double, 3>{1, 2, 3}));

@@ -1,0 +1,69 @@
+#include "app/solve_options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(SolveOptions, DefaultsAreTheSolversOwn) {
+  SolveOptions options;
+  options.input = "scene.json";
+  options.output = "run";
+  const SolveConfig config = options.config(), expected;
+  EXPECT_EQ(config.run_directory, "run");
+  EXPECT_EQ(config.target_error, expected.target_error);
+  EXPECT_EQ(config.basis, expected.basis);
+  EXPECT_EQ(config.assignment, expected.assignment);
+  EXPECT_EQ(config.order, expected.order);
+  EXPECT_EQ(config.steal, expected.steal);
+  EXPECT_EQ(config.coarse_correction, expected.coarse_correction);
+  EXPECT_EQ(config.memory_bytes, 0u);
+}
+
+TEST(SolveOptions, EachOneReachesTheSolver) {
+  SolveOptions options;
+  options.input = "scene.json";
+  options.output = "run";
+  options.memory = "1.5M";
+  options.basis = "constant";
+  options.assignment = "round-robin";
+  options.order = "input";
+  options.no_steal = options.no_correction = options.resume = true;
+  const SolveConfig config = options.config();
+  EXPECT_EQ(config.memory_bytes, 3u << 19);
+  EXPECT_EQ(config.basis, Basis::constant);
+  EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
+  EXPECT_EQ(config.order, TourOrder::input);
+  EXPECT_FALSE(config.steal);
+  EXPECT_FALSE(config.coarse_correction);
+  EXPECT_TRUE(config.resume);
+}
+
+TEST(SolveOptions, ARunDirectoryIsSolvedInPlaceOrFromItsScene) {
+  const std::string run = testing::TempDir() + "a_run";
+  std::filesystem::create_directories(run);
+  SolveOptions options;
+  options.input = run;
+  EXPECT_EQ(options.scene_file(), "");
+  EXPECT_EQ(options.run_directory(), run);
+  options.output = run + "/.";
+  EXPECT_EQ(options.scene_file(), "");
+  options.output = run + "_other";
+  EXPECT_EQ(options.scene_file(), run + "/scene.json");
+  EXPECT_EQ(options.run_directory(), run + "_other");
+}
+
+TEST(SolveOptions, BadMemoryIsRefusedByName) {
+  SolveOptions options;
+  options.input = "scene.json";
+  options.output = "run";
+  options.memory = "a lot";
+  EXPECT_THROW(options.config(), InputError);
+}
+
+}  // namespace
+}  // namespace enfilade
