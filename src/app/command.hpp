@@ -18,7 +18,8 @@ struct Command {
   std::function<void(Session&)> run;
 };
 
-/// Each adds one subcommand to `cli`; parsing it fills `chosen`. One file a subcommand: command_<name>.cpp.
+/// Each adds one subcommand to `cli`; parsing it fills `chosen`. One file a subcommand:
+/// command_<name>.cpp.
 void add_import(CLI::App& cli, Command& chosen);
 void add_prepare(CLI::App& cli, Command& chosen);
 void add_solve(CLI::App& cli, Command& chosen);

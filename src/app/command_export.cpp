@@ -22,11 +22,13 @@ struct ExportOptions {
 void run_export(const ExportOptions& options, Session& session) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (extension != ".glb" && extension != ".json") {
-    throw InputError("command line", "export", "'" + options.output + "' is of no kind that can be exported",
+    throw InputError("command line", "export",
+                     "'" + options.output + "' is of no kind that can be exported",
                      "name a .glb file for the light or a .json file for the graph");
   }
-  const std::string content = extension == ".json" ? graph_json(load_prepared(options.run))
-                                                   : solution_glb(SolvedRun(options.run).solved_scene());
+  const std::string content = extension == ".json"
+                                  ? graph_json(load_prepared(options.run))
+                                  : solution_glb(SolvedRun(options.run).solved_scene());
   write_file_atomically(options.output, content);
   TextTable table(options.output);
   table.add("size", format_bytes(static_cast<double>(content.size())));
@@ -37,12 +39,18 @@ void run_export(const ExportOptions& options, Session& session) {
 
 void add_export(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* sub = cli.add_subcommand("export", "Write the light as a glTF model, or the visibility graph as JSON");
-  sub->add_option("run", options->run, "RUN directory: solved for .glb, prepared for .json")->required();
-  sub->add_option("-o,--output", options->output, "File to write; its ending says what: .glb or .json")->required();
+  CLI::App* sub = cli.add_subcommand(
+      "export", "Write the light as a glTF model, or the visibility graph as JSON");
+  sub->add_option("run", options->run, "RUN directory: solved for .glb, prepared for .json")
+      ->required();
+  sub->add_option("-o,--output", options->output,
+                  "File to write; its ending says what: .glb or .json")
+      ->required();
   sub->footer(
-      "Examples:\n  enfilade export out/duplex -o duplex.glb     (vertex colours, unlit: any viewer)\n"
-      "  enfilade export out/duplex -o graph.json     (clusters, their cell and surfaces, visible pairs)");
+      "Examples:\n  enfilade export out/duplex -o duplex.glb     (vertex colours, unlit: any "
+      "viewer)\n"
+      "  enfilade export out/duplex -o graph.json     (clusters, their cell and surfaces, visible "
+      "pairs)");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_export(*options, session); }};
   });

@@ -30,8 +30,8 @@ void run_import(const ImportOptions& options, Session& session) {
 
 void add_import(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* sub = cli.add_subcommand("import", "Make a scene file from a glTF or OBJ model");
-  sub->add_option("model", options->model, "Model to read: .gltf, .glb or .obj")->required();
+  CLI::App* sub = cli.add_subcommand("import", "Make a scene file from a glTF, OBJ or IFC model");
+  sub->add_option("model", options->model, "Model to read: .gltf, .glb, .obj or .ifc")->required();
   sub->add_option("-o,--output", options->output, "Scene file to write (JSON)")->required();
   sub->footer(
       "Example:\n  enfilade import house.glb -o house.json\n\n"

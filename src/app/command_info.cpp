@@ -69,7 +69,8 @@ void add_scene(TextTable& table, const Scene& scene) {
   table.add("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x, extent.y, extent.z));
   table.add("area", fmt::format("{:.6g} m2", figures.area_m2));
   table.add("mean reflectance", shown(figures.reflected_m2, ""));
-  table.add("emitted", shown(figures.emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+  table.add("emitted",
+            shown(figures.emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
 }
 
 void add_prepared(TextTable& table, const Prepared& prepared) {
@@ -81,7 +82,8 @@ void add_prepared(TextTable& table, const Prepared& prepared) {
   table.add("portals", with_thousands(prepared.cells.portals().size()));
   table.add("clusters", with_thousands(prepared.clusters.size()));
   const double share = pairs > 0 ? static_cast<double>(prepared.graph.edges()) / pairs : 0.0;
-  table.add("visible pairs", fmt::format("{} ({:.3g}% of all)", with_thousands(prepared.graph.edges()), 100 * share));
+  table.add("visible pairs", fmt::format("{} ({:.3g}% of all)",
+                                         with_thousands(prepared.graph.edges()), 100 * share));
   table.add("covered area", fmt::format("{:.4g} m2", prepared.covered_area_m2));
   table.add("time to prepare", format_duration(prepared.prepare_s));
 }

@@ -116,7 +116,8 @@ int run(const CommandLine& line, Session& session) {
   if (line.fault) session.console().error(line.fault->what());
   if (line.fault) return exit_status_of(*line.fault);
   try {
-    if (line.command.run && (line.command.on_every_rank || session.root())) line.command.run(session);
+    if (line.command.run && (line.command.on_every_rank || session.root()))
+      line.command.run(session);
     return 0;
   } catch (const std::exception& error) {
     return session.fail(error);

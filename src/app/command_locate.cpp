@@ -39,12 +39,15 @@ void add_locate(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* sub = cli.add_subcommand("locate", "Say which cell each point lies in");
   sub->add_option("run", options->run, "RUN directory, prepared or solved")->required();
-  sub->add_option("--points", options->points, "Points file (JSON), metres unless it names \"units\"")
+  sub->add_option("--points", options->points,
+                  "Points file (JSON), metres unless it names \"units\"")
       ->required();
-  sub->add_option("-o,--output", options->output, "File to write: {\"cells\": [id, ...]}")->required();
+  sub->add_option("-o,--output", options->output, "File to write: {\"cells\": [id, ...]}")
+      ->required();
   sub->footer(
       "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
-      "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, ...]}.\n"
+      "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
+      "...]}.\n"
       "The answers stand in the points' order; -1 is a point that lies in no cell.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_locate(*options, session); }};

@@ -35,14 +35,16 @@ void run_prepare(const PrepareOptions& options, Session& session) {
 
 void add_prepare(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<PrepareOptions>();
-  CLI::App* sub =
-      cli.add_subcommand("prepare", "Cut a scene into cells and clusters, and find who can see whom");
-  sub->add_option("scene", options->scene, "Scene file (JSON, or a model that import takes)")->required();
+  CLI::App* sub = cli.add_subcommand(
+      "prepare", "Cut a scene into cells and clusters, and find who can see whom");
+  sub->add_option("scene", options->scene, "Scene file (JSON, or a model that import takes)")
+      ->required();
   sub->add_option("-o,--output", options->run, "RUN directory to fill; a solution in it is dropped")
       ->required();
   sub->footer(
       "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
-      "solve does this by itself where it has not been done. One rank works, whatever mpirun starts.");
+      "solve does this by itself where it has not been done. One rank works, whatever mpirun "
+      "starts.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_prepare(*options, session); }};
   });

@@ -1,4 +1,5 @@
-// enfilade probe: irradiance at asked points, by one gather from the solution or read off its patches.
+// enfilade probe: irradiance at asked points, by one gather from the solution or read off its
+// patches.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -21,7 +22,8 @@ void run_probe(const ProbeOptions& options, Session& session) {
   const SolvedRun run(options.run, options.gather);
   const std::vector<Spectrum> answers =
       irradiance_at(run, probes, probe_method(options.from), session.console().progress());
-  write_probe_answers(options.points, options.output, answers, options.from, run.prepared().scene.unit);
+  write_probe_answers(options.points, options.output, answers, options.from,
+                      run.prepared().scene.unit);
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));
   table.add("unit", irradiance_label(run.prepared().scene.unit));
@@ -35,18 +37,25 @@ void add_probe(CLI::App& cli, Command& chosen) {
   CLI::App* sub = cli.add_subcommand("probe", "Say how much light arrives at points");
   sub->add_option("run", options->run, "RUN directory that solve has filled")->required();
   sub->add_option("--points", options->points, "Probe file (JSON)")->required();
-  sub->add_option("-o,--output", options->output, "File to write: the same with \"E\" at each probe")->required();
-  sub->add_option("--from", options->from,
-                  "gather: once more from all that the point sees; patches: read off the surface below it")
+  sub->add_option("-o,--output", options->output,
+                  "File to write: the same with \"E\" at each probe")
+      ->required();
+  sub->add_option(
+         "--from", options->from,
+         "gather: once more from all that the point sees; patches: read off the surface below it")
       ->check(CLI::IsMember({"gather", "patches"}))
       ->capture_default_str();
-  sub->add_option("--rays", options->gather.rays, "Rays over the hemisphere that tell what a point sees")
+  sub->add_option("--rays", options->gather.rays,
+                  "Rays over the hemisphere that tell what a point sees")
       ->check(CLI::Range(1, 100000000))
       ->capture_default_str();
-  sub->add_option("--seed", options->gather.seed, "Seed of the rays")->check(CLI::NonNegativeNumber)->capture_default_str();
+  sub->add_option("--seed", options->gather.seed, "Seed of the rays")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   sub->footer(
       "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
-      "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the irradiance\n"
+      "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
+      "irradiance\n"
       "on a plane through p with normal n, per band, in the unit that the answer names.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_probe(*options, session); }};

@@ -29,7 +29,8 @@ struct RenderOptions {
 
 Vec3 point(const std::vector<double>& p) { return {p[0], p[1], p[2]}; }
 
-/// From --eye and --look-at, else by name from --cameras or from those that find their place themselves.
+/// From --eye and --look-at, else by name from --cameras or from those that find their place
+/// themselves.
 Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
   if (!options.eye.empty()) {
     Camera camera;
@@ -53,10 +54,12 @@ Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
 
 void check(const RenderOptions& options) {
   if (options.eye.empty() != options.look_at.empty()) {
-    throw InputError("command line", "render", "--eye and --look-at belong together", "give both or neither");
+    throw InputError("command line", "render", "--eye and --look-at belong together",
+                     "give both or neither");
   }
   if (!options.output.ends_with(".png")) {
-    throw InputError("command line", "-o", "'" + options.output + "' is no .png file", "name a .png file");
+    throw InputError("command line", "-o", "'" + options.output + "' is no .png file",
+                     "name a .png file");
   }
 }
 
@@ -71,7 +74,8 @@ void run_render(const RenderOptions& options, Session& session) {
   if (options.linear_tone) tone.curve = ToneConfig::Curve::linear;
   FalseColourConfig scale = options.scale;
   scale.logarithmic = !options.linear_scale;
-  const Bitmap picture = options.false_colour ? false_coloured(light, unit, scale) : tone_mapped(light, tone);
+  const Bitmap picture =
+      options.false_colour ? false_coloured(light, unit, scale) : tone_mapped(light, tone);
   write_file_atomically(options.output, encode_png(picture, "enfilade, camera " + camera.name));
   TextTable table(options.output);
   table.add("camera", camera.name);
@@ -83,39 +87,76 @@ void run_render(const RenderOptions& options, Session& session) {
 void add_camera_options(CLI::App& sub, RenderOptions& o) {
   const std::string group = "Camera";
   sub.add_option("--camera", o.camera_name, "Camera by name; default: the first")->group(group);
-  sub.add_option("--cameras", o.camera_file, "File with cameras (JSON); default: cameras found in the rooms")
+  sub.add_option("--cameras", o.camera_file,
+                 "File with cameras (JSON); default: cameras found in the rooms")
       ->group(group);
-  sub.add_option("--eye", o.eye, "Where the eye is, in metres: X Y Z")->expected(3)->delimiter(',')->group(group);
+  sub.add_option("--eye", o.eye, "Where the eye is, in metres: X Y Z")
+      ->expected(3)
+      ->delimiter(',')
+      ->group(group);
   sub.add_option("--look-at", o.look_at, "The point in the middle of the picture: X Y Z")
-      ->expected(3)->delimiter(',')->group(group);
+      ->expected(3)
+      ->delimiter(',')
+      ->group(group);
   sub.add_option("--up", o.up, "Upward direction; default: 0 0 1")
-      ->expected(3)->delimiter(',')->needs("--eye")->group(group);
+      ->expected(3)
+      ->delimiter(',')
+      ->needs("--eye")
+      ->group(group);
   sub.add_option("--angle", o.vertical_angle_deg, "Vertical angle of view, degrees")
-      ->check(number_between(0.0, 180.0))->needs("--eye")->capture_default_str()->group(group);
+      ->check(number_between(0.0, 180.0))
+      ->needs("--eye")
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_picture_options(CLI::App& sub, RenderOptions& o) {
   const std::string group = "Picture";
-  sub.add_option("--width", o.render.width, "Pixels")->check(CLI::Range(1, 20000))->capture_default_str()->group(group);
-  sub.add_option("--height", o.render.height, "Pixels")->check(CLI::Range(1, 20000))->capture_default_str()->group(group);
-  sub.add_option("--samples", o.render.samples, "Rays a pixel")
-      ->check(CLI::Range(1, 4096))->capture_default_str()->group(group);
-  sub.add_option("--gather-rays", o.render.gather_rays,
-                 "Rays of a gather from the solution at each pixel: slow, and shows no mesh lines; 0 = none")
-      ->check(CLI::Range(0, 1000000))->capture_default_str()->group(group);
-  sub.add_option("--threads", o.render.threads, "Threads; 0 = one a core")
-      ->check(CLI::Range(0, 4096))->capture_default_str()->group(group);
-  sub.add_option("--exposure", o.tone.exposure, "The light is shown this many times as bright; default: by itself")
-      ->check(positive_number())->group(group);
-  sub.add_flag("--linear-tone", o.linear_tone, "Brightness in proportion, without the photographic curve")->group(group);
-  sub.add_flag("--false-colour,--false-color", o.false_colour, "Irradiance as colours, with a legend in its unit")
+  sub.add_option("--width", o.render.width, "Pixels")
+      ->check(CLI::Range(1, 20000))
+      ->capture_default_str()
       ->group(group);
-  sub.add_option("--lowest", o.scale.lowest, "Lower end of the colour scale; default: from the picture")
-      ->check(CLI::NonNegativeNumber)->needs("--false-colour")->group(group);
-  sub.add_option("--highest", o.scale.highest, "Upper end of the colour scale; default: from the picture")
-      ->check(positive_number())->needs("--false-colour")->group(group);
+  sub.add_option("--height", o.render.height, "Pixels")
+      ->check(CLI::Range(1, 20000))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--samples", o.render.samples, "Rays a pixel")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--gather-rays", o.render.gather_rays,
+                 "Rays of a gather from the solution at each pixel: slow, and shows no mesh lines; "
+                 "0 = none")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--threads", o.render.threads, "Threads; 0 = one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--exposure", o.tone.exposure,
+                 "The light is shown this many times as bright; default: by itself")
+      ->check(positive_number())
+      ->group(group);
+  sub.add_flag("--linear-tone", o.linear_tone,
+               "Brightness in proportion, without the photographic curve")
+      ->group(group);
+  sub.add_flag("--false-colour,--false-color", o.false_colour,
+               "Irradiance as colours, with a legend in its unit")
+      ->group(group);
+  sub.add_option("--lowest", o.scale.lowest,
+                 "Lower end of the colour scale; default: from the picture")
+      ->check(CLI::NonNegativeNumber)
+      ->needs("--false-colour")
+      ->group(group);
+  sub.add_option("--highest", o.scale.highest,
+                 "Upper end of the colour scale; default: from the picture")
+      ->check(positive_number())
+      ->needs("--false-colour")
+      ->group(group);
   sub.add_flag("--linear-scale", o.linear_scale, "Colour scale in equal steps, not logarithmic")
-      ->needs("--false-colour")->group(group);
+      ->needs("--false-colour")
+      ->group(group);
 }
 
 }  // namespace

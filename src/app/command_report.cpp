@@ -23,8 +23,8 @@ void run_report(const ReportOptions& options, Session& session) {
   std::vector<RunPage> pages;
   for (const std::string& directory : options.runs) {
     const SolvedRun run(directory);
-    pages.push_back(
-        make_run_page(directory, run.solved_scene(), options.pictures, session.console().progress()));
+    pages.push_back(make_run_page(directory, run.solved_scene(), options.pictures,
+                                  session.console().progress()));
   }
   const std::string html = report_html(pages);
   write_file_atomically(options.output, html);
@@ -38,13 +38,16 @@ void run_report(const ReportOptions& options, Session& session) {
 
 void add_report(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* sub = cli.add_subcommand("report", "Make one page about one run, or about several side by side");
+  CLI::App* sub =
+      cli.add_subcommand("report", "Make one page about one run, or about several side by side");
   sub->add_option("runs", options->runs, "RUN directories that solve has filled")->required();
-  sub->add_option("-o,--output", options->output, "HTML file to write; it needs no other file")->required();
+  sub->add_option("-o,--output", options->output, "HTML file to write; it needs no other file")
+      ->required();
   sub->add_flag("!--no-pictures", options->pictures, "Plans and tables alone");
   sub->footer(
       "Example:\n  enfilade report out/fine out/coarse -o compare.html\n\n"
-      "The page has pictures, plans coloured by rank, the error over the iterations, and where the time\n"
+      "The page has pictures, plans coloured by rank, the error over the iterations, and where the "
+      "time\n"
       "went on each rank. With several runs a table that compares them comes first.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_report(*options, session); }};

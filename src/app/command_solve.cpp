@@ -41,8 +41,8 @@ void run_solve(const SolveOptions& options, Session& session) {
   Machine& machine = session.machine(options.cost_model);
 
   Warnings warnings;
-  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory, {}, warnings,
-                                      console.progress());
+  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory, {},
+                                      warnings, console.progress());
   console.warnings(warnings);
 
   communicator.on_root([&] { remove_run_outputs(config.run_directory); });
@@ -51,10 +51,12 @@ void run_solve(const SolveOptions& options, Session& session) {
   describe_run(stats, config, prepared);
 
   communicator.on_root([&] {
-    const auto owner = assign(prepared.graph, {config.assignment, communicator.size(), config.seed});
-    write_run_outputs({config.run_directory, options.probe_source(), options.pictures},
-                      {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},
-                      console.progress());
+    const auto owner =
+        assign(prepared.graph, {config.assignment, communicator.size(), config.seed});
+    write_run_outputs(
+        {config.run_directory, options.probe_source(), options.pictures},
+        {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},
+        console.progress());
     if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
   });
 }
@@ -63,7 +65,8 @@ void run_solve(const SolveOptions& options, Session& session) {
 
 void add_solve(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<SolveOptions>();
-  CLI::App* sub = cli.add_subcommand("solve", "Compute the light of a scene, on as many ranks as mpirun starts");
+  CLI::App* sub = cli.add_subcommand(
+      "solve", "Compute the light of a scene, on as many ranks as mpirun starts");
   add_solve_options(*sub, *options);
   sub->callback([options, &chosen] {
     chosen = {true, [options](Session& session) { run_solve(*options, session); }};

@@ -79,7 +79,8 @@ void Console::note(const std::string& message) const {
 
 Progress Console::progress() const {
   if (!meter_) return {};
-  return [meter = meter_](std::string_view phase, double fraction) { meter->show(phase, fraction); };
+  return
+      [meter = meter_](std::string_view phase, double fraction) { meter->show(phase, fraction); };
 }
 
 void Console::end_progress() const {
@@ -90,8 +91,10 @@ std::string on_one_line(const std::string& text) {
   std::string line;
   for (const char c : text) {
     const bool blank = c == '\n' || c == '\r' || c == '\t';
-    if (!blank) line += c;
-    else if (!line.empty() && line.back() != ' ') line += ' ';
+    if (!blank)
+      line += c;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
   }
   while (!line.empty() && line.back() == ' ') line.pop_back();
   return line;

@@ -1,4 +1,5 @@
-// What the program says, and where: results on standard output, errors, warnings and progress on standard error.
+// What the program says, and where: results on standard output, errors, warnings and progress on
+// standard error.
 #pragma once
 
 #include <memory>
@@ -27,7 +28,8 @@ class Console {
   void warnings(const Warnings& warnings) const;
   /// One line on standard error, for what is good to know: "enfilade: ...".
   void note(const std::string& message) const;
-  /// Shows phases, percent and an estimate of the time left, on a terminal; empty where standard error is none.
+  /// Shows phases, percent and an estimate of the time left, on a terminal; empty where standard
+  /// error is none.
   Progress progress() const;
   /// Wipes the progress line.
   void end_progress() const;

@@ -15,9 +15,10 @@ std::string graph_json(const Prepared& prepared) {
   for (const Cluster& cluster : prepared.clusters) {
     std::set<std::uint32_t> surfaces;
     for (const ClusterPolygon& polygon : cluster.polygons) surfaces.insert(polygon.surface.value);
-    const std::int64_t cell = cluster.cell.valid() ? static_cast<std::int64_t>(cluster.cell.value) : -1;
-    fmt::format_to(to, "{}{{\"id\": {}, \"cell\": {}, \"surfaces\": [{}]}}", separator, cluster.id.value, cell,
-                   fmt::join(surfaces, ","));
+    const std::int64_t cell =
+        cluster.cell.valid() ? static_cast<std::int64_t>(cluster.cell.value) : -1;
+    fmt::format_to(to, "{}{{\"id\": {}, \"cell\": {}, \"surfaces\": [{}]}}", separator,
+                   cluster.id.value, cell, fmt::join(surfaces, ","));
     separator = ",\n";
   }
   fmt::format_to(to, "\n],\n\"visible\": [");

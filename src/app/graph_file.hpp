@@ -7,8 +7,9 @@
 
 namespace enfilade {
 
-/// {"clusters": [{"id", "cell", "surfaces": [index in the scene file, ...]}], "visible": [[id, id], ...]};
-/// each visible pair once, the smaller id first. Surfaces in ascending order, each once a cluster.
+/// {"clusters": [{"id", "cell", "surfaces": [index in the scene file, ...]}], "visible": [[id, id],
+/// ...]}; each visible pair once, the smaller id first. Surfaces in ascending order, each once a
+/// cluster.
 std::string graph_json(const Prepared& prepared);
 
 }  // namespace enfilade

@@ -13,7 +13,8 @@ CLI::Validator open_range(double low, double high, std::string says, std::string
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         double x = 0.0;
-        const bool good = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x > low && x < high;
+        const bool good =
+            CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x > low && x < high;
         return good ? "" : "'" + text + "' is not " + says;
       },
       type);

@@ -1,4 +1,5 @@
-// Checks of option values that refuse what is no finite number, which CLI11's own ranges let through.
+// Checks of option values that refuse what is no finite number, which CLI11's own ranges let
+// through.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -10,8 +10,9 @@ std::vector<Vec3> read_points(const std::string& path) {
   const KeyReader keys(path);
   const bool probes = document.is_object() && document.contains("probes");
   const std::string key = probes ? "probes" : "points";
-  const nlohmann::json& list =
-      document.is_array() ? document : keys.list(keys.need(document, key.c_str(), "top level"), key);
+  const nlohmann::json& list = document.is_array()
+                                   ? document
+                                   : keys.list(keys.need(document, key.c_str(), "top level"), key);
   const double scale = document.is_object() ? keys.metres_per_unit(document) : 1.0;
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -8,9 +8,12 @@ namespace {
 
 const char* name_of(AssignmentMethod method) {
   switch (method) {
-    case AssignmentMethod::metis: return "metis";
-    case AssignmentMethod::round_robin: return "round-robin";
-    default: return "kmeans";
+    case AssignmentMethod::metis:
+      return "metis";
+    case AssignmentMethod::round_robin:
+      return "round-robin";
+    default:
+      return "kmeans";
   }
 }
 

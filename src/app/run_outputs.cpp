@@ -42,7 +42,8 @@ void write_records(const std::string& run, const RunRecords& records) {
     rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
   }
   write_file_atomically(run + "history.json", "[" + rows + "]\n");
-  write_file_atomically(run + "warnings.json", nlohmann::json(records.warnings.summary()).dump(1) + "\n");
+  write_file_atomically(run + "warnings.json",
+                        nlohmann::json(records.warnings.summary()).dump(1) + "\n");
   std::vector<int> ranks;
   for (const Rank rank : records.owner) ranks.push_back(rank.value);
   write_file_atomically(run + "assignment.json", nlohmann::json(ranks).dump() + "\n");
@@ -53,8 +54,10 @@ std::string file_name_of(const std::string& caption) {
   std::string name;
   for (const char c : caption) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
-    if (plain) name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    else if (!name.empty() && name.back() != '-') name += '-';
+    if (plain)
+      name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
   }
   while (!name.empty() && name.back() == '-') name.pop_back();
   return name.empty() ? "picture" : name;
@@ -74,8 +77,9 @@ RunPage make_run_page(const std::string& run_directory, const SolvedScene& solve
 
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
-  for (const char* name : {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-                           "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
+  for (const char* name :
+       {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
+        "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
     std::filesystem::remove_all(run / name);
   }
 }
@@ -89,12 +93,14 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
   write_file_atomically(directory + "solution.glb", solution_glb(solved));
   if (const auto& probes = solved.scene.probes; !probes.empty()) {
     write_probe_answers(outputs.probe_source, directory + "probes.json",
-                        irradiance_at(run, probes, ProbeMethod::gather, progress), "gather", solved.scene.unit);
+                        irradiance_at(run, probes, ProbeMethod::gather, progress), "gather",
+                        solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
   if (!page.pictures.empty()) std::filesystem::create_directories(directory + "pictures");
   for (const Figure& figure : page.pictures) {
-    write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png", figure.png);
+    write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png",
+                          figure.png);
   }
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
 }

@@ -32,8 +32,9 @@ struct RunRecords {
 /// Takes away what an earlier solve wrote, so that nothing of it stands beside a new solution.
 void remove_run_outputs(const std::string& run_directory);
 
-/// stats.json, history.json, warnings.json and assignment.json; surfaces.csv, solution.glb, report.html; probes.json where the
-/// scene has probes; and pictures/, a file each. Takes `records.prepared` over.
+/// stats.json, history.json, warnings.json and assignment.json; surfaces.csv, solution.glb,
+/// report.html; probes.json where the scene has probes; and pictures/, a file each. Takes
+/// `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
 
 /// The page of a run that has a solution: with plans, and pictures where they are asked for.

@@ -40,7 +40,8 @@ int Session::fail(const std::exception& error) {
   Console(true).error(error.what());
   // Bad input is found by the root on behalf of all (Communicator::on_root), who leave with it.
   const bool others_know = root() && status == 2;
-  if (communicator_ && communicator_->size() > 1 && !others_know) communicator_->abort(status, machine().simulated());
+  if (communicator_ && communicator_->size() > 1 && !others_know)
+    communicator_->abort(status, machine().simulated());
   return status;
 }
 

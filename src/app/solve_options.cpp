@@ -20,7 +20,8 @@ constexpr const char* footer =
     "  enfilade solve out/duplex --resume            (after a crash)\n"
     "  smpirun -platform platforms/office.xml -hostfile platforms/office-4.hosts -np 4 \\\n"
     "    enfilade-smpi solve scenes/duplex.json -o out/simulated\n\n"
-    "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, and\n"
+    "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, "
+    "and\n"
     "probes.json where the scene has probes.";
 
 Basis basis_of(const std::string& name) {
@@ -35,34 +36,52 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How good";
   sub.add_option("--target-error", o.target_error,
                  "Error to reach: relative, area-weighted L1 of the irradiance (0.02 = 2%)")
-      ->check(number_between(0.0, 1.0))->capture_default_str()->group(group);
-  sub.add_option("--epsilon", o.epsilon,
-                 "Refine links whose error is above this share of the emitted power; default: what the "
-                 "target error asks for")
-      ->check(number_between(0.0, 1.0))->group(group);
-  sub.add_option("--tolerance", o.tolerance,
-                 "Stop iterating below this relative change of the light; default: what the target error "
-                 "asks for")
-      ->check(number_between(0.0, 1.0))->group(group);
+      ->check(number_between(0.0, 1.0))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option(
+         "--epsilon", o.epsilon,
+         "Refine links whose error is above this share of the emitted power; default: what the "
+         "target error asks for")
+      ->check(number_between(0.0, 1.0))
+      ->group(group);
+  sub.add_option(
+         "--tolerance", o.tolerance,
+         "Stop iterating below this relative change of the light; default: what the target error "
+         "asks for")
+      ->check(number_between(0.0, 1.0))
+      ->group(group);
   sub.add_option("--basis", o.basis, "Light over a patch: constant, linear, or auto (linear)")
-      ->check(CLI::IsMember({"constant", "linear", "auto"}))->capture_default_str()->group(group);
+      ->check(CLI::IsMember({"constant", "linear", "auto"}))
+      ->capture_default_str()
+      ->group(group);
   sub.add_option("--max-iterations", o.max_iterations, "Give up after so many iterations")
-      ->check(CLI::Range(1, 1000000))->capture_default_str()->group(group);
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How the work is cut up and ordered";
-  sub.add_option("--assignment", o.assignment, "Clusters to ranks: kmeans (figure 1), metis or round-robin")
-      ->check(CLI::IsMember({"kmeans", "metis", "round-robin"}))->capture_default_str()->group(group);
-  sub.add_option("--order", o.order, "Order in which a rank's clusters gather: travelling-salesman or input")
-      ->check(CLI::IsMember({"travelling-salesman", "input"}))->capture_default_str()->group(group);
-  sub.add_flag("--no-steal", o.no_steal, "A rank that is out of work waits, and takes none from the others")
+  sub.add_option("--assignment", o.assignment,
+                 "Clusters to ranks: kmeans (figure 1), metis or round-robin")
+      ->check(CLI::IsMember({"kmeans", "metis", "round-robin"}))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--order", o.order,
+                 "Order in which a rank's clusters gather: travelling-salesman or input")
+      ->check(CLI::IsMember({"travelling-salesman", "input"}))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_flag("--no-steal", o.no_steal,
+               "A rank that is out of work waits, and takes none from the others")
       ->group(group);
   sub.add_flag("--no-coarse-correction", o.no_correction,
                "The paper's group iteration as it is, which needs more iterations at many ranks")
       ->group(group);
   sub.add_option("--memory", o.memory,
-                 "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. Default: no limit")
+                 "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. "
+                 "Default: no limit")
       ->group(group);
   sub.add_option("--local-dir", o.local_directory,
                  "Where each rank makes its local directory; default: RUN/local")
@@ -70,7 +89,10 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   sub.add_option("--cost-model", o.cost_model,
                  "What counted work costs on a simulated host (JSON); default: the built-in model")
       ->group(group);
-  sub.add_option("--seed", o.seed, "Seed of everything that draws lots")->check(CLI::NonNegativeNumber)->capture_default_str()->group(group);
+  sub.add_option("--seed", o.seed, "Seed of everything that draws lots")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
 }
 
 }  // namespace
@@ -92,7 +114,8 @@ std::string SolveOptions::probe_source() const {
 
 SolveConfig SolveOptions::config() const {
   if (output.empty() && !fs::is_directory(input)) {
-    throw InputError("command line", "solve", "-o is missing", "name the RUN directory to fill, as in -o out/run");
+    throw InputError("command line", "solve", "-o is missing",
+                     "name the RUN directory to fill, as in -o out/run");
   }
   SolveConfig config;
   config.run_directory = run_directory();
@@ -113,8 +136,10 @@ SolveConfig SolveOptions::config() const {
 }
 
 void add_solve_options(CLI::App& sub, SolveOptions& o) {
-  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made")->required();
-  sub.add_option("-o,--output", o.output, "RUN directory to fill; may be left out where the input is one");
+  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made")
+      ->required();
+  sub.add_option("-o,--output", o.output,
+                 "RUN directory to fill; may be left out where the input is one");
   add_accuracy_options(sub, o);
   add_parallel_options(sub, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");

@@ -15,7 +15,8 @@ std::string shown_number(const std::string& key, double x) {
   if (!std::isfinite(x)) return "not known";
   if (key.ends_with("_s")) return format_duration(x);
   if (key.starts_with("bytes_") || key.ends_with("_bytes")) return format_bytes(x);
-  if (key == "estimated_error" || key == "target_error" || key == "flux_balance") return fmt::format("{:.2g}%", 100.0 * x);
+  if (key == "estimated_error" || key == "target_error" || key == "flux_balance")
+    return fmt::format("{:.2g}%", 100.0 * x);
   return fmt::format("{:.4g}", x);
 }
 
@@ -49,8 +50,8 @@ constexpr Row summary_rows[] = {
 IterationObserver SolveProgress::observer() {
   return [this](const IterationSummary& summary) {
     report_progress(progress_,
-                    fmt::format("solve: iteration {}, estimated error {:.2g}%,", summary.plan.iteration,
-                                100.0 * summary.estimated_error),
+                    fmt::format("solve: iteration {}, estimated error {:.2g}%,",
+                                summary.plan.iteration, 100.0 * summary.estimated_error),
                     fraction(summary.estimated_error));
   };
 }
@@ -59,7 +60,8 @@ double SolveProgress::fraction(double error) {
   if (first_error_ == 0.0) first_error_ = error;
   if (error <= target_error_) return 1.0;
   if (!(first_error_ > target_error_)) return 0.0;
-  return std::clamp(std::log(first_error_ / error) / std::log(first_error_ / target_error_), 0.0, 1.0);
+  return std::clamp(std::log(first_error_ / error) / std::log(first_error_ / target_error_), 0.0,
+                    1.0);
 }
 
 std::string shown_value(const std::string& key, const RunRecord::Value& value) {
@@ -82,10 +84,13 @@ std::string solve_summary(const std::string& run_directory, const RunRecord& rec
   const auto* converged = record.find("converged");
   const bool stopped = converged != nullptr && *converged == RunRecord::Value(false);
   const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
-  const char* state = stopped ? ": gave up before it converged" : reached ? ": solved" : ": converged above the asked error";
+  const char* state = stopped   ? ": gave up before it converged"
+                      : reached ? ": solved"
+                                : ": converged above the asked error";
   TextTable table(run_directory + state);
   for (const Row& row : summary_rows) {
-    if (const auto* value = record.find(row.key)) table.add(row.label, shown_value(row.key, *value));
+    if (const auto* value = record.find(row.key))
+      table.add(row.label, shown_value(row.key, *value));
   }
   table.add("look at", run_directory + "/report.html");
   return table.text();

@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// Turns committed iterations into progress: the share of the way from the first one's error to the asked one,
-/// on a logarithmic scale.
+/// Turns committed iterations into progress: the share of the way from the first one's error to the
+/// asked one, on a logarithmic scale.
 class SolveProgress {
  public:
   SolveProgress(double target_error, Progress progress)
@@ -30,7 +30,8 @@ class SolveProgress {
 /// The table at the end of a solve; `record` is that of RUN/stats.json.
 std::string solve_summary(const std::string& run_directory, const RunRecord& record);
 
-/// A value of a run record as people read it: counts with thousands, seconds, bytes, percent by the key's end.
+/// A value of a run record as people read it: counts with thousands, seconds, bytes, percent by the
+/// key's end.
 std::string shown_value(const std::string& key, const RunRecord::Value& value);
 
 }  // namespace enfilade

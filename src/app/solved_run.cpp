@@ -5,7 +5,8 @@
 
 namespace enfilade {
 
-SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory, const PointGatherConfig& config)
+SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory,
+                     const PointGatherConfig& config)
     : prepared_(std::move(prepared)),
       solution_(read_solution(run_directory)),
       occluders_(prepared_.clusters),
@@ -14,17 +15,19 @@ SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory, const 
 ProbeMethod probe_method(const std::string& name) {
   if (name == "gather") return ProbeMethod::gather;
   if (name == "patches") return ProbeMethod::patches;
-  throw InputError("command line", "--from", "'" + name + "' is no way to ask", "use gather or patches");
+  throw InputError("command line", "--from", "'" + name + "' is no way to ask",
+                   "use gather or patches");
 }
 
-std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes, ProbeMethod method,
-                                    const Progress& progress) {
+std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
+                                    ProbeMethod method, const Progress& progress) {
   std::vector<Spectrum> answers;
   answers.reserve(probes.size());
   for (const Probe& probe : probes) {
     answers.push_back(method == ProbeMethod::gather ? run.gather().irradiance(probe.p, probe.n)
                                                     : run.gather().from_patches(probe.p, probe.n));
-    report_progress(progress, "probe", static_cast<double>(answers.size()) / static_cast<double>(probes.size()));
+    report_progress(progress, "probe",
+                    static_cast<double>(answers.size()) / static_cast<double>(probes.size()));
   }
   return answers;
 }

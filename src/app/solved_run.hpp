@@ -13,14 +13,15 @@
 
 namespace enfilade {
 
-/// The preparation, the solution and the gatherer over both. Stays where it is made: its parts refer to
-/// each other.
+/// The preparation, the solution and the gatherer over both. Stays where it is made: its parts
+/// refer to each other.
 class SolvedRun {
  public:
   /// Throws InputError where RUN holds no solution.
   explicit SolvedRun(const std::string& run_directory, const PointGatherConfig& config = {})
       : SolvedRun(load_prepared(run_directory), run_directory, config) {}
-  SolvedRun(Prepared prepared, const std::string& run_directory, const PointGatherConfig& config = {});
+  SolvedRun(Prepared prepared, const std::string& run_directory,
+            const PointGatherConfig& config = {});
   SolvedRun(const SolvedRun&) = delete;
   SolvedRun& operator=(const SolvedRun&) = delete;
 
@@ -43,7 +44,7 @@ enum class ProbeMethod { gather, patches };
 ProbeMethod probe_method(const std::string& name);
 
 /// Irradiance per band at each probe.
-std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes, ProbeMethod method,
-                                    const Progress& progress = {});
+std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
+                                    ProbeMethod method, const Progress& progress = {});
 
 }  // namespace enfilade

@@ -11,7 +11,8 @@ std::string TextTable::text() const {
   std::size_t width = 0;
   for (const auto& [label, value] : rows_) width = std::max(width, label.size());
   std::string out = title_.empty() ? "" : title_ + "\n";
-  for (const auto& [label, value] : rows_) out += fmt::format("  {:<{}}  {}\n", label, width, value);
+  for (const auto& [label, value] : rows_)
+    out += fmt::format("  {:<{}}  {}\n", label, width, value);
   return out;
 }
 

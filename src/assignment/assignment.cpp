@@ -63,9 +63,15 @@ std::vector<Rank> assign(const ClusterGraph& graph, const AssignmentConfig& conf
   }
   std::vector<Rank> owner;
   switch (config.method) {
-    case AssignmentMethod::kmeans: owner = kmeans_groups(graph, config); break;
-    case AssignmentMethod::metis: owner = metis_parts(graph, config); break;
-    case AssignmentMethod::round_robin: owner = round_robin(graph.size(), config.parts); break;
+    case AssignmentMethod::kmeans:
+      owner = kmeans_groups(graph, config);
+      break;
+    case AssignmentMethod::metis:
+      owner = metis_parts(graph, config);
+      break;
+    case AssignmentMethod::round_robin:
+      owner = round_robin(graph.size(), config.parts);
+      break;
   }
   fill_empty_parts(graph, owner, config.parts);
   return owner;

@@ -22,8 +22,8 @@ struct AssignmentConfig {
   int max_iterations = 30;  ///< of figure 1's loop, which changes little after ten
 };
 
-/// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as many
-/// clusters as parts, no part is empty.
+/// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as
+/// many clusters as parts, no part is empty.
 std::vector<Rank> assign(const ClusterGraph& graph, const AssignmentConfig& config);
 
 /// Hops from `source` to every node of G_val (breadth-first: Warshall's answer, row by row);

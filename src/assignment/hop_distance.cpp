@@ -24,14 +24,19 @@ int count(const Bits& a) {
 
 bool empty(const Bits& a) { return (a[0] | a[1] | a[2] | a[3]) == 0; }
 
-/// Up to 256 breadth-first searches in lockstep: bit s of a node's word says that search s has reached it, so
-/// an edge is followed once a level for all of them.
+/// Up to 256 breadth-first searches in lockstep: bit s of a node's word says that search s has
+/// reached it, so an edge is followed once a level for all of them.
 class BatchSearch {
  public:
   BatchSearch(const ClusterGraph& graph, std::span<const std::uint32_t> group,
               std::span<const std::uint32_t> pivots, std::size_t groups)
-      : graph_(graph), group_(group), own_(groups, Bits{}), wanted_(groups, 0),
-        seen_(graph.size(), Bits{}), frontier_(graph.size(), Bits{}), next_(graph.size(), Bits{}) {
+      : graph_(graph),
+        group_(group),
+        own_(groups, Bits{}),
+        wanted_(groups, 0),
+        seen_(graph.size(), Bits{}),
+        frontier_(graph.size(), Bits{}),
+        next_(graph.size(), Bits{}) {
     for (std::size_t s = 0; s < pivots.size(); ++s) {
       const std::uint64_t bit = std::uint64_t{1} << (s % 64);
       own_[group[pivots[s]]][s / 64] |= bit;
@@ -75,7 +80,8 @@ class BatchSearch {
     return count(own);
   }
 
-  /// Carries the frontier over every edge to the nodes that are active next; false where there are none.
+  /// Carries the frontier over every edge to the nodes that are active next; false where there are
+  /// none.
   bool spread() {
     reached_.clear();
     for (std::uint32_t v : active_) {
@@ -140,8 +146,8 @@ NearestSources nearest_sources(const ClusterGraph& graph, std::span<const std::u
     hops[sources[s]] = 0;
     queue.push_back(sources[s]);
   }
-  // A node's nearest sources are those of its neighbours that are one hop nearer; the queue is in order of
-  // hops, so a node's own set is complete before it is passed on.
+  // A node's nearest sources are those of its neighbours that are one hop nearer; the queue is in
+  // order of hops, so a node's own set is complete before it is passed on.
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const std::uint32_t v = queue[head];
     for (std::uint32_t to : graph.neighbours(v)) {

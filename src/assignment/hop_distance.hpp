@@ -1,5 +1,5 @@
-// Distances in G_val: breadth-first searches, one source or 256 at once. Warshall's answer (§3.3.1) without
-// its n^2 matrix and n^3 time.
+// Distances in G_val: breadth-first searches, one source or 256 at once. Warshall's answer (§3.3.1)
+// without its n^2 matrix and n^3 time.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace enfilade {
 
-/// For every node the set of sources that are nearest to it, as a bit mask of `words` 64-bit words a node.
-/// A node that no source reaches has an empty set.
+/// For every node the set of sources that are nearest to it, as a bit mask of `words` 64-bit words
+/// a node. A node that no source reaches has an empty set.
 struct NearestSources {
   std::size_t words = 1;
   std::vector<std::uint64_t> masks;
@@ -24,7 +24,8 @@ NearestSources nearest_sources(const ClusterGraph& graph, std::span<const std::u
 
 /// How central each node is in its own group, seen from the group's pivots.
 struct Centrality {
-  std::vector<std::uint64_t> sum;  ///< of hops from the pivots of its group; n hops where unreachable
+  std::vector<std::uint64_t>
+      sum;  ///< of hops from the pivots of its group; n hops where unreachable
   std::vector<std::uint32_t> max;  ///< largest of these hops
 };
 /// `pivots` are nodes; each counts for the group that it is in.

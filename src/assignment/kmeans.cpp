@@ -13,13 +13,14 @@ namespace enfilade {
 
 namespace {
 
-/// Members that a group's centre is judged from: enough for a centre within a few percent of the best, and
-/// a bound on the searches of a round.
+/// Members that a group's centre is judged from: enough for a centre within a few percent of the
+/// best, and a bound on the searches of a round.
 constexpr std::size_t pivots_a_group = 32;
 constexpr int choices_of_a_tie = 3;
 
 /// `parts` different nodes, random (ChooseCenterOfGravities).
-std::vector<std::uint32_t> random_centres(std::size_t nodes, std::size_t parts, std::uint64_t seed) {
+std::vector<std::uint32_t> random_centres(std::size_t nodes, std::size_t parts,
+                                          std::uint64_t seed) {
   Random random(seed);
   std::vector<std::uint32_t> all(nodes);
   std::iota(all.begin(), all.end(), 0u);
@@ -64,7 +65,8 @@ class Grouping {
     ++size_[group];
   }
 
-  /// The nearest centres; all of them where none can be reached (a part of the graph without a centre).
+  /// The nearest centres; all of them where none can be reached (a part of the graph without a
+  /// centre).
   void collect(std::span<const std::uint64_t> mask) {
     candidates_.clear();
     for (std::size_t w = 0; w < mask.size(); ++w) {
@@ -92,7 +94,8 @@ class Grouping {
 
   const ClusterGraph& graph_;
   std::size_t parts_;
-  std::size_t fair_share_;  ///< a tenth above the mean, so that rooms are not cut for the last nodes
+  std::size_t
+      fair_share_;  ///< a tenth above the mean, so that rooms are not cut for the last nodes
   std::vector<Rank> owner_;
   std::vector<std::size_t> size_, candidates_;
   std::vector<std::int64_t> neighbours_in_;
@@ -130,7 +133,8 @@ std::vector<Rank> kmeans_groups(const ClusterGraph& graph, const AssignmentConfi
   std::vector<std::uint32_t> centres = random_centres(graph.size(), parts, config.seed);
   Grouping grouping(graph, parts);
   std::vector<Rank> owner;
-  // The centres alone decide the next groups, so that centres met before mean a fixed point or a cycle.
+  // The centres alone decide the next groups, so that centres met before mean a fixed point or a
+  // cycle.
   std::set<std::vector<std::uint32_t>> met;
   for (int k = 0; k < config.max_iterations && met.insert(centres).second; ++k) {
     owner = grouping.around(centres);

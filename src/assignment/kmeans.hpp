@@ -7,13 +7,15 @@
 
 namespace enfilade {
 
-/// Groups of G_val around centres of gravity. A node that is equally near to several centres goes to the one
-/// of them that is still below its fair share of nodes and has most of the node's neighbours: figure 1 leaves
-/// the choice open, and in a building, where hops are few, such nodes are many. Needs 1 <= parts <= nodes.
+/// Groups of G_val around centres of gravity. A node that is equally near to several centres goes
+/// to the one of them that is still below its fair share of nodes and has most of the node's
+/// neighbours: figure 1 leaves the choice open, and in a building, where hops are few, such nodes
+/// are many. Needs 1 <= parts <= nodes.
 std::vector<Rank> kmeans_groups(const ClusterGraph& graph, const AssignmentConfig& config);
 
-/// The most central element of each group: least sum, then least maximum of hops to the group's members, then
-/// the lowest id. Groups of more than `max_pivots` members are judged from that many, spread over their ids.
+/// The most central element of each group: least sum, then least maximum of hops to the group's
+/// members, then the lowest id. Groups of more than `max_pivots` members are judged from that many,
+/// spread over their ids.
 std::vector<std::uint32_t> centres_of_gravity(const ClusterGraph& graph,
                                               const std::vector<Rank>& owner, std::size_t parts,
                                               std::size_t max_pivots);

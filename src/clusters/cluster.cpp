@@ -138,10 +138,11 @@ class CellClusters {
 
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
                                     const ClusterConfig& config) {
-  std::map<CellId, std::vector<const CellPiece*>> by_cell;
-  for (const CellPiece& piece : pieces) by_cell[piece.cell].push_back(&piece);
+  // Sealed pieces by themselves: a cluster of both would be linked for the lit ones' sake.
+  std::map<std::pair<CellId, bool>, std::vector<const CellPiece*>> groups;
+  for (const CellPiece& piece : pieces) groups[{piece.cell, piece.sealed}].push_back(&piece);
   std::vector<Cluster> clusters;
-  for (auto& [cell, members] : by_cell) {
+  for (auto& [key, members] : groups) {
     for (Cluster& cluster : CellClusters(scene, std::move(members), config).build()) {
       cluster.id = ClusterId(clusters.size());
       clusters.push_back(std::move(cluster));

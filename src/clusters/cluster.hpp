@@ -37,7 +37,8 @@ struct ClusterConfig {
 
 /// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of their object
 /// and plane, then the file's objects, then what hangs together, then what lies close. Ids go by cell,
-/// then by position. Every cluster lies in one cell, every cell piece in exactly one cluster.
+/// lit before sealed, then by position. Every cluster lies in one cell and is all lit or all sealed,
+/// every cell piece is in exactly one cluster.
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
                                     const ClusterConfig& config);
 

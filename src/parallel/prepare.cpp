@@ -64,6 +64,8 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
     const std::vector<CellPiece> parts = p.cells.cut(piece);
     cell_pieces.insert(cell_pieces.end(), parts.begin(), parts.end());
   }
+  report_progress(progress, "clusters", 0.4);
+  cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
   report_progress(progress, "clusters", 0.5);
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters);
   report_progress(progress, "visibility", 0.6);

@@ -9,6 +9,7 @@
 #include "base/warnings.hpp"
 #include "cells/cell_complex.hpp"
 #include "clusters/cluster.hpp"
+#include "clusters/sealed_parts.hpp"
 #include "comm/communicator.hpp"
 #include "scene/scene.hpp"
 #include "visibility/cluster_graph.hpp"
@@ -17,6 +18,7 @@ namespace enfilade {
 
 struct PrepareConfig {
   CellComplex::Config cells;
+  SealedConfig sealed;
   ClusterConfig clusters;
 };
 

@@ -28,7 +28,8 @@ struct Place {
   Vec3 eye;
   double distance_m[directions] = {};
   double light[directions] = {};  ///< 0 where nothing or a back is seen
-  double room_m2 = 0.0, mean_light = 0.0;
+  bool open[directions] = {};     ///< nothing stands there: a window, or the outside
+  double room_m2 = 0.0, mean_light = 0.0, enclosed = 0.0;
 };
 
 class PlaceFinder {
@@ -79,6 +80,7 @@ class PlaceFinder {
     for (int i = 0; i < directions; ++i) {
       const RayHit hit = rays.closest(place.eye, direction(i));
       behind += hit.any() && !hit.front;
+      place.open[i] = !hit.any();
       place.distance_m[i] = hit.any() ? hit.distance_m : 0.0;
       if (hit.any()) walls_m.push_back(hit.distance_m);
       if (hit.any() && hit.front) {
@@ -89,9 +91,11 @@ class PlaceFinder {
     for (double& d : place.distance_m) d = d > 0.0 ? d : mean(walls_m);
     for (int i = 0; i < directions; ++i) {
       const double next_m = place.distance_m[(i + 1) % directions];
-      place.room_m2 += 0.5 * place.distance_m[i] * next_m * std::sin(2.0 * std::numbers::pi / directions);
+      place.room_m2 +=
+          0.5 * place.distance_m[i] * next_m * std::sin(2.0 * std::numbers::pi / directions);
     }
     place.mean_light = mean(place.light);
+    place.enclosed = static_cast<double>(walls_m.size()) / directions;
     return behind <= directions / 8 && place.mean_light > 0.0;
   }
 
@@ -99,8 +103,8 @@ class PlaceFinder {
   double eye_height_m_;
 };
 
-/// Light ahead, over a third of the horizon, times the share of it where lit surfaces are: a picture of windows or
-/// of black backs shows little.
+/// Light ahead, over a third of the horizon, times the share of it where lit surfaces are: a
+/// picture of windows or of black backs shows little.
 double light_ahead(const Place& place, int i) {
   double sum = 0.0;
   int lit = 0;
@@ -113,24 +117,34 @@ double light_ahead(const Place& place, int i) {
   return sum / looks * std::pow(lit / looks, 2);
 }
 
-/// Room to all sides, and more of it ahead: no reveal or cupboard fills the picture.
-bool stands_free(const SolvedScene& solved, const Vec3& eye, int ahead, double least_m) {
+/// On a floor, under a ceiling, with room to all sides and more of it ahead: no reveal or cupboard
+/// fills the picture.
+bool stands_free(const SolvedScene& solved, const Vec3& eye, int ahead, double eye_height_m) {
+  const double least_m = 0.45 * eye_height_m;
+  const RayScene& rays = solved.occluders.rays();
+  const RayHit above = rays.closest(eye, Vec3(0, 0, 1)), below = rays.closest(eye, Vec3(0, 0, -1));
+  if (!above.any() || !above.front || !below.any() || !below.front) return false;
+  if (std::abs(below.distance_m - eye_height_m) > 0.05 * eye_height_m) return false;
   for (int i = 0; i < directions; ++i) {
-    const int turn = std::min((i - ahead + directions) % directions, (ahead - i + directions) % directions);
+    const int turn =
+        std::min((i - ahead + directions) % directions, (ahead - i + directions) % directions);
     const double wanted_m = turn <= directions / 8 ? 3.0 * least_m : least_m;
-    const RayHit hit = solved.occluders.rays().closest(eye, direction(i), RayScene::no_polygon, wanted_m);
+    const RayHit hit = rays.closest(eye, direction(i), RayScene::no_polygon, wanted_m);
     if (hit.any()) return false;
   }
   return true;
 }
 
 /// Backed towards the wall behind, looking along the longest view, of its two ends the brighter.
-Camera looking_far(const SolvedScene& solved, const Place& place, double eye_height_m, const std::string& name) {
+Camera looking_far(const SolvedScene& solved, const Place& place, double eye_height_m,
+                   const std::string& name) {
   const auto length = [&](int i) {
     return place.distance_m[i] + place.distance_m[(i + directions / 2) % directions];
   };
   int best = 0;
-  const auto worth = [&](int i) { return length(i) * (0.1 * place.mean_light + light_ahead(place, i)); };
+  const auto worth = [&](int i) {
+    return length(i) * (0.1 * place.mean_light + light_ahead(place, i));
+  };
   for (int i = 1; i < directions; ++i) {
     if (worth(i) > worth(best)) best = i;
   }
@@ -138,9 +152,10 @@ Camera looking_far(const SolvedScene& solved, const Place& place, double eye_hei
   Camera camera;
   camera.name = name;
   camera.eye = place.eye;
+  const bool wall_behind = !place.open[(best + directions / 2) % directions];
   for (double share : {0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
     const Vec3 eye = place.eye - direction(best) * (share * back_m);
-    if (!stands_free(solved, eye, best, 0.45 * eye_height_m)) continue;
+    if (!wall_behind || !stands_free(solved, eye, best, eye_height_m)) continue;
     camera.eye = eye;
     break;
   }
@@ -174,12 +189,15 @@ Camera cut_away(const Box& box, const Storey& storey, const std::string& name, d
   return camera;
 }
 
-void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config, double eye_height_m,
-                      std::vector<Camera>& cameras) {
+void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config,
+                      double eye_height_m, std::vector<Camera>& cameras) {
   std::vector<Place> places = PlaceFinder(solved, eye_height_m).places();
   double usual_light = 0.0;
   for (const Place& p : places) usual_light += p.mean_light / static_cast<double>(places.size());
-  const auto worth = [&](const Place& p) { return std::sqrt(p.room_m2) * std::min(1.0, p.mean_light / usual_light); };
+  const auto worth = [&](const Place& p) {
+    return std::sqrt(p.room_m2) * std::min(1.0, p.mean_light / usual_light) * p.enclosed *
+           p.enclosed;
+  };
   std::stable_sort(places.begin(), places.end(),
                    [&](const Place& a, const Place& b) { return worth(a) > worth(b); });
   std::vector<Vec3> taken;
@@ -191,7 +209,8 @@ void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config,
     });
     if (seen) continue;
     taken.push_back(place.eye);
-    cameras.push_back(looking_far(solved, place, eye_height_m, "room-" + std::to_string(taken.size())));
+    cameras.push_back(
+        looking_far(solved, place, eye_height_m, "room-" + std::to_string(taken.size())));
   }
 }
 
@@ -205,8 +224,8 @@ std::vector<Camera> automatic_cameras(const SolvedScene& solved, const AutoCamer
   add_inside_views(solved, config, std::min(config.eye_height_m, 0.6 * headroom_m), cameras);
   for (std::size_t i = 0; config.cut_away && i < levels.size(); ++i) {
     if (static_cast<int>(i) >= config.most_storeys) break;
-    cameras.push_back(cut_away(room_bounds(solved), levels[i], "storey-" + std::to_string(i + 1),
-                               config.aspect));
+    cameras.push_back(
+        cut_away(room_bounds(solved), levels[i], "storey-" + std::to_string(i + 1), config.aspect));
   }
   return cameras;
 }

@@ -17,9 +17,12 @@ struct Bitmap {
 
   Bitmap() = default;
   Bitmap(int w, int h, Rgb8 fill = {0, 0, 0})
-      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+      : width(w),
+        height(h),
+        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
   Rgb8& at(int x, int y) {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
   }
   const Rgb8& at(int x, int y) const { return const_cast<Bitmap*>(this)->at(x, y); }
   void fill(int x, int y, int w, int h, Rgb8 colour);

@@ -10,7 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse(const std::string& path, const std::string& where, const std::string& what) {
+[[noreturn]] void refuse(const std::string& path, const std::string& where,
+                         const std::string& what) {
   throw InputError(path, where, what,
                    R"(write {"cameras": [{"name": "hall", "eye": [x,y,z], "look_at": [x,y,z]}]})");
 }
@@ -23,7 +24,8 @@ Vec3 vector_of(const Json& json, const std::string& path, const std::string& whe
 }
 
 double positive(const Json& json, const std::string& path, const std::string& where) {
-  if (!json.is_number() || !(json.get<double>() > 0.0)) refuse(path, where, "a positive number is expected");
+  if (!json.is_number() || !(json.get<double>() > 0.0))
+    refuse(path, where, "a positive number is expected");
   return json.get<double>();
 }
 
@@ -48,8 +50,10 @@ Camera camera_of(const Json& json, const std::string& path, std::size_t index) {
       camera.cut_above_m = value.get<double>();
     }
   }
-  if (camera.vertical_angle_deg >= 180.0) refuse(path, where + ".vertical_angle_deg", "180 or more shows nothing");
-  if (glm::length(camera.look_at - camera.eye) == 0.0) refuse(path, where, "eye and look_at are the same point");
+  if (camera.vertical_angle_deg >= 180.0)
+    refuse(path, where + ".vertical_angle_deg", "180 or more shows nothing");
+  if (glm::length(camera.look_at - camera.eye) == 0.0)
+    refuse(path, where, "eye and look_at are the same point");
   return camera;
 }
 

@@ -50,24 +50,28 @@ double step_for(double span, double count) {
   return 10.0 * decade;
 }
 
-void draw_axes(const Frame& f, const std::string& x_label, const std::string& y_label, std::string& svg) {
+void draw_axes(const Frame& f, const std::string& x_label, const std::string& y_label,
+               std::string& svg) {
   const auto out = std::back_inserter(svg);
   const double skip = std::ceil((f.y1 - f.y0) / 8.0);
   for (double decade = f.y0; decade <= f.y1 + 0.5; decade += skip) {
     const double y = f.y(std::pow(10.0, decade));
-    fmt::format_to(out, R"(<line class="grid" x1="{}" x2="{}" y1="{:.1f}" y2="{:.1f}"/>)", left, width - right, y, y);
-    fmt::format_to(out, R"(<text class="tick" x="{}" y="{:.1f}" text-anchor="end">{:g}</text>)", left - 8, y + 4,
-                   std::pow(10.0, decade));
+    fmt::format_to(out, R"(<line class="grid" x1="{}" x2="{}" y1="{:.1f}" y2="{:.1f}"/>)", left,
+                   width - right, y, y);
+    fmt::format_to(out, R"(<text class="tick" x="{}" y="{:.1f}" text-anchor="end">{:g}</text>)",
+                   left - 8, y + 4, std::pow(10.0, decade));
   }
   const double step = std::max(1.0, step_for(f.x1 - f.x0, 10.0));
   for (double x = std::ceil(f.x0 / step) * step; x <= f.x1 + 1e-9; x += step) {
-    fmt::format_to(out, R"(<text class="tick" x="{:.1f}" y="{}" text-anchor="middle">{:g}</text>)", f.x(x),
-                   height - bottom + 18, x);
+    fmt::format_to(out, R"(<text class="tick" x="{:.1f}" y="{}" text-anchor="middle">{:g}</text>)",
+                   f.x(x), height - bottom + 18, x);
   }
   fmt::format_to(out, R"(<text class="tick" x="{}" y="{}" text-anchor="middle">{}</text>)",
                  (left + width - right) / 2, height - 6, escaped(x_label));
-  fmt::format_to(out, R"svg(<text class="tick" transform="translate(14 {}) rotate(-90)" text-anchor="middle">{}</text>)svg",
-                 (top + height - bottom) / 2, escaped(y_label));
+  fmt::format_to(
+      out,
+      R"svg(<text class="tick" transform="translate(14 {}) rotate(-90)" text-anchor="middle">{}</text>)svg",
+      (top + height - bottom) / 2, escaped(y_label));
 }
 
 void draw_series(const Frame& f, const Series& s, std::string& svg) {
@@ -75,13 +79,16 @@ void draw_series(const Frame& f, const Series& s, std::string& svg) {
   std::string path;
   for (const auto& p : s.points) {
     if (!drawable(p)) continue;
-    fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? "M" : "L", f.x(p.first), f.y(p.second));
+    fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? "M" : "L",
+                   f.x(p.first), f.y(p.second));
   }
   fmt::format_to(out, R"(<path fill="none" stroke="{}" stroke-width="2" d="{}"/>)", s.colour, path);
   for (const auto& p : s.points) {
     if (!drawable(p)) continue;
-    fmt::format_to(out, R"(<circle r="3" fill="{}" cx="{:.1f}" cy="{:.1f}"><title>{} at {:g}: {:.4g}</title></circle>)",
-                   s.colour, f.x(p.first), f.y(p.second), escaped(s.name), p.first, p.second);
+    fmt::format_to(
+        out,
+        R"(<circle r="3" fill="{}" cx="{:.1f}" cy="{:.1f}"><title>{} at {:g}: {:.4g}</title></circle>)",
+        s.colour, f.x(p.first), f.y(p.second), escaped(s.name), p.first, p.second);
   }
 }
 
@@ -99,12 +106,23 @@ std::string escaped(const std::string& text) {
   std::string safe;
   for (char c : text) {
     switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      case '\'': safe += "&#39;"; break;
-      default: safe += c;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += c;
     }
   }
   return safe;
@@ -117,8 +135,9 @@ std::string line_chart(const std::vector<Series>& series, const std::string& x_l
   });
   if (!any) return "";
   const Frame f = frame_of(series);
-  std::string svg = fmt::format(R"(<svg class="chart" role="img" aria-label="{} over {}" viewBox="0 0 {} {}">)",
-                                escaped(y_label), escaped(x_label), width, height);
+  std::string svg =
+      fmt::format(R"(<svg class="chart" role="img" aria-label="{} over {}" viewBox="0 0 {} {}">)",
+                  escaped(y_label), escaped(x_label), width, height);
   draw_axes(f, x_label, y_label, svg);
   std::vector<std::pair<std::string, std::string>> names;
   for (const Series& s : series) {
@@ -141,27 +160,32 @@ std::string stacked_bars(const std::vector<std::string>& labels, const std::vect
   }
   if (!(longest > 0.0)) return "";
   const double scale = (width - left - right) / longest;
-  std::string svg = fmt::format(R"(<svg class="chart" role="img" aria-label="time by rank" viewBox="0 0 {} {:.0f}">)",
-                                width, high);
+  std::string svg = fmt::format(
+      R"(<svg class="chart" role="img" aria-label="time by rank" viewBox="0 0 {} {:.0f}">)", width,
+      high);
   const auto out = std::back_inserter(svg);
   const double step = step_for(longest, 8.0);
   for (double x = 0.0; x <= longest * (1 + 1e-9); x += step) {
-    fmt::format_to(out, R"(<line class="grid" x1="{0:.1f}" x2="{0:.1f}" y1="0" y2="{1:.1f}"/>)", left + x * scale, high - 22);
-    fmt::format_to(out, R"(<text class="tick" x="{:.1f}" y="{:.1f}" text-anchor="middle">{:g} {}</text>)",
-                   left + x * scale, high - 6, x, escaped(unit));
+    fmt::format_to(out, R"(<line class="grid" x1="{0:.1f}" x2="{0:.1f}" y1="0" y2="{1:.1f}"/>)",
+                   left + x * scale, high - 22);
+    fmt::format_to(
+        out, R"(<text class="tick" x="{:.1f}" y="{:.1f}" text-anchor="middle">{:g} {}</text>)",
+        left + x * scale, high - 6, x, escaped(unit));
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double y = row * static_cast<double>(i);
     if (row >= 10.0) {
-      fmt::format_to(out, R"(<text class="tick" x="{}" y="{:.1f}" text-anchor="end">{}</text>)", left - 8,
-                     y + row / 2 + 4, escaped(labels[i]));
+      fmt::format_to(out, R"(<text class="tick" x="{}" y="{:.1f}" text-anchor="end">{}</text>)",
+                     left - 8, y + row / 2 + 4, escaped(labels[i]));
     }
     double x = left;
     for (const Layer& l : layers) {
       const double value = std::max(0.0, i < l.values.size() ? l.values[i] : 0.0);
-      fmt::format_to(out, R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"><title>{}: {} {:.4g} {}</title></rect>)",
-                     x, y + 0.1 * row, value * scale, 0.8 * row, l.colour, escaped(labels[i]), escaped(l.name), value,
-                     escaped(unit));
+      fmt::format_to(
+          out,
+          R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"><title>{}: {} {:.4g} {}</title></rect>)",
+          x, y + 0.1 * row, value * scale, 0.8 * row, l.colour, escaped(labels[i]), escaped(l.name),
+          value, escaped(unit));
       x += value * scale;
     }
   }

@@ -12,8 +12,8 @@ struct Series {
   std::vector<std::pair<double, double>> points;
 };
 
-/// Lines over a linear x axis and a logarithmic y axis; values that are not positive are left out. Empty text where
-/// nothing can be drawn.
+/// Lines over a linear x axis and a logarithmic y axis; values that are not positive are left out.
+/// Empty text where nothing can be drawn.
 std::string line_chart(const std::vector<Series>& series, const std::string& x_label,
                        const std::string& y_label);
 

@@ -15,8 +15,9 @@ struct Scale {
   double lowest, highest;
   bool logarithmic;
   double position(double value) const {
-    const double t = logarithmic ? std::log(std::max(value, lowest) / lowest) / std::log(highest / lowest)
-                                 : (value - lowest) / (highest - lowest);
+    const double t = logarithmic
+                         ? std::log(std::max(value, lowest) / lowest) / std::log(highest / lowest)
+                         : (value - lowest) / (highest - lowest);
     return std::clamp(t, 0.0, 1.0);
   }
 };
@@ -63,7 +64,8 @@ std::vector<double> ticks(const Scale& scale) {
     return at;
   }
   const double step = round_125((scale.highest - scale.lowest) / 8.0, true);
-  for (double v = std::ceil(scale.lowest / step) * step; v <= scale.highest * (1 + 1e-9); v += step) {
+  for (double v = std::ceil(scale.lowest / step) * step; v <= scale.highest * (1 + 1e-9);
+       v += step) {
     at.push_back(v);
   }
   return at;
@@ -88,7 +90,8 @@ void draw_legend(Bitmap& bitmap, const Scale& scale, const std::string& unit) {
   }
   std::size_t i = 0;
   for (double v : ticks(scale)) {
-    const int y = bar_top + static_cast<int>(std::lround((1.0 - scale.position(v)) * (bar_height - 1)));
+    const int y =
+        bar_top + static_cast<int>(std::lround((1.0 - scale.position(v)) * (bar_height - 1)));
     bitmap.fill(left + pad + bar - 3 * size, y, 5 * size, size, ink);
     draw_text(bitmap, left + 2 * pad + bar, y - 4 * size, labels[i++], ink, size);
   }
@@ -117,7 +120,8 @@ Bitmap false_coloured(const LightImage& image, const std::string& unit,
   Bitmap bitmap(image.width, image.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const auto& p = image.pixels[i];
-    const Rgb8 met = p.cover > 0.0f ? scale_colour(scale.position(p.irradiance / p.cover)) : nothing;
+    const Rgb8 met =
+        p.cover > 0.0f ? scale_colour(scale.position(p.irradiance / p.cover)) : nothing;
     for (std::size_t c = 0; c < 3; ++c) {
       const double empty = std::max(0.0, 1.0 - p.cover - p.section);
       bitmap.pixels[i][c] = static_cast<std::uint8_t>(

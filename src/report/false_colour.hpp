@@ -13,7 +13,8 @@ struct FalseColourConfig {
   bool logarithmic = true;
 };
 
-/// `unit` is irradiance_label() of the scene: "lx" or "W/m2". The legend stands at the right, inside the picture.
+/// `unit` is irradiance_label() of the scene: "lx" or "W/m2". The legend stands at the right,
+/// inside the picture.
 Bitmap false_coloured(const LightImage& image, const std::string& unit,
                       const FalseColourConfig& config = {});
 

@@ -24,7 +24,8 @@ void section_of(const CellComplex& cells, std::int32_t node, const Polygon& poly
   }
   // A plane that lies in the section's plane has it all on one side.
   const bool level = std::abs(n.plane.n.z) > 1.0 - 1e-9;
-  auto [front, back] = level ? std::pair<Polygon, Polygon>{} : split(polygon, n.plane, cells.tolerance_m());
+  auto [front, back] =
+      level ? std::pair<Polygon, Polygon>{} : split(polygon, n.plane, cells.tolerance_m());
   if (level) (n.plane.signed_distance(polygon[0]) >= 0.0 ? front : back) = polygon;
   if (n.front >= 0) section_of(cells, n.front, front, parts);
   if (n.back >= 0) section_of(cells, n.back, back, parts);
@@ -37,11 +38,15 @@ class Drawing {
   void open(const std::string& title) {
     const Vec3 size = box_.extent();
     const double margin = 0.02 * std::max(size.x, size.y);
-    fmt::format_to(out(), R"(<svg class="plan" role="img" aria-label="{}" viewBox="{:.2f} {:.2f} {:.2f} {:.2f}">)",
-                   title, -margin, -margin, size.x + 2 * margin, size.y + 2 * margin);
+    fmt::format_to(
+        out(),
+        R"(<svg class="plan" role="img" aria-label="{}" viewBox="{:.2f} {:.2f} {:.2f} {:.2f}">)",
+        title, -margin, -margin, size.x + 2 * margin, size.y + 2 * margin);
   }
   void close() { svg += "</svg>"; }
-  std::string point(const Vec3& p) const { return fmt::format("{:.2f} {:.2f}", p.x - box_.lo.x, box_.hi.y - p.y); }
+  std::string point(const Vec3& p) const {
+    return fmt::format("{:.2f} {:.2f}", p.x - box_.lo.x, box_.hi.y - p.y);
+  }
   void fill(const std::vector<Polygon>& parts, const std::string& colour, const std::string& tip) {
     fmt::format_to(out(), R"(<path class="cell" fill="{}" stroke="{}" d=")", colour, colour);
     for (const Polygon& part : parts) {
@@ -58,8 +63,10 @@ class Drawing {
     svg += "\"/>";
   }
   void dot(const Vec3& p, double radius_m, const std::string& colour, const std::string& tip) {
-    fmt::format_to(out(), R"(<circle class="cluster" cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="{}"><title>{}</title></circle>)",
-                   p.x - box_.lo.x, box_.hi.y - p.y, radius_m, colour, tip);
+    fmt::format_to(
+        out(),
+        R"(<circle class="cluster" cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="{}"><title>{}</title></circle>)",
+        p.x - box_.lo.x, box_.hi.y - p.y, radius_m, colour, tip);
   }
   std::string svg;
 
@@ -113,7 +120,8 @@ std::string kind_colour(CellKind kind) {
   return kind == CellKind::outside ? "var(--outside)" : "var(--room)";
 }
 
-FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Storey& storey, int number) {
+FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Storey& storey,
+               int number) {
   const Box box = room_bounds(solved);
   const double z_m = storey.floor_m + std::min(1.2, 0.45 * storey.headroom_m);
   FloorPlan plan;
@@ -121,7 +129,9 @@ FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Sto
   Drawing drawing(box);
   drawing.open(plan.title);
   std::map<std::uint32_t, std::vector<Polygon>> parts;
-  const Polygon whole{{box.lo.x, box.lo.y, z_m}, {box.hi.x, box.lo.y, z_m}, {box.hi.x, box.hi.y, z_m},
+  const Polygon whole{{box.lo.x, box.lo.y, z_m},
+                      {box.hi.x, box.lo.y, z_m},
+                      {box.hi.x, box.hi.y, z_m},
                       {box.lo.x, box.hi.y, z_m}};
   if (!solved.cells.nodes().empty()) section_of(solved.cells, 0, whole, parts);
   const std::vector<int> ranks = rank_of_cells(solved, owner);
@@ -129,8 +139,8 @@ FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Sto
     const CellKind kind = solved.cells.cells()[cell].kind;
     const bool owned = kind == CellKind::room && ranks[cell] >= 0;
     const std::string colour = owned ? rank_colour(ranks[cell]) : kind_colour(kind);
-    const std::string tip = owned ? fmt::format("cell {}, rank {}", cell, ranks[cell])
-                                  : fmt::format("cell {}", cell);
+    const std::string tip =
+        owned ? fmt::format("cell {}, rank {}", cell, ranks[cell]) : fmt::format("cell {}", cell);
     drawing.fill(polygons, colour, tip);
   }
   drawing.lines(wall_lines(solved, z_m));
@@ -138,7 +148,8 @@ FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Sto
   for (std::size_t c = 0; c < std::min(owner.size(), solved.clusters.size()); ++c) {
     const Vec3 p = solved.clusters[c].bounds.center();
     if (p.z < storey.floor_m - 0.1 || p.z > storey.floor_m + storey.headroom_m + 0.1) continue;
-    drawing.dot(p, dot_m, rank_colour(owner[c].value), fmt::format("cluster {}, rank {}", c, owner[c].value));
+    drawing.dot(p, dot_m, rank_colour(owner[c].value),
+                fmt::format("cluster {}, rank {}", c, owner[c].value));
   }
   drawing.close();
   plan.svg = std::move(drawing.svg);

@@ -53,7 +53,8 @@ std::string shown(const RunRecord::Value* value) {
   if (const auto* b = std::get_if<bool>(value)) return *b ? "yes" : "no";
   if (const auto* s = std::get_if<std::string>(value)) return escaped(*s);
   std::string list;
-  for (double d : std::get<std::vector<double>>(*value)) list += (list.empty() ? "" : ", ") + shown_number(d);
+  for (double d : std::get<std::vector<double>>(*value))
+    list += (list.empty() ? "" : ", ") + shown_number(d);
   return list;
 }
 
@@ -64,8 +65,9 @@ std::string words(std::string key) {
 }
 
 std::string figure(const Figure& f, const char* kind) {
-  return fmt::format(R"(<figure class="{}"><img alt="{}" src="data:image/png;base64,{}"><figcaption>{}</figcaption></figure>)",
-                     kind, escaped(f.caption), base64(f.png), escaped(f.caption));
+  return fmt::format(
+      R"(<figure class="{}"><img alt="{}" src="data:image/png;base64,{}"><figcaption>{}</figcaption></figure>)",
+      kind, escaped(f.caption), base64(f.png), escaped(f.caption));
 }
 
 std::string tiles(const RunRecord& stats) {
@@ -74,25 +76,31 @@ std::string tiles(const RunRecord& stats) {
     double scale;
     const char* format;
   };
-  constexpr Tile known[] = {
-      {"simulated_s", "simulated seconds", 1.0, "{:.4g}"}, {"wall_s", "wall seconds", 1.0, "{:.4g}"},
-      {"ranks", "ranks", 1.0, "{:.0f}"},                   {"estimated_error", "estimated error", 100.0, "{:.2g}&#8239;%"},
-      {"iterations", "iterations", 1.0, "{:.0f}"},         {"surfaces", "surfaces", 1.0, ""},
-      {"clusters", "clusters", 1.0, ""},                   {"patches", "patches", 1.0, ""},
-      {"links", "links", 1.0, ""},                         {"rays", "rays", 1.0, ""},
-      {"peak_rss_bytes", "MB at most a rank", 1e-6, "{:.0f}"}};
+  constexpr Tile known[] = {{"simulated_s", "simulated seconds", 1.0, "{:.4g}"},
+                            {"wall_s", "wall seconds", 1.0, "{:.4g}"},
+                            {"ranks", "ranks", 1.0, "{:.0f}"},
+                            {"estimated_error", "estimated error", 100.0, "{:.2g}&#8239;%"},
+                            {"iterations", "iterations", 1.0, "{:.0f}"},
+                            {"surfaces", "surfaces", 1.0, ""},
+                            {"clusters", "clusters", 1.0, ""},
+                            {"patches", "patches", 1.0, ""},
+                            {"links", "links", 1.0, ""},
+                            {"rays", "rays", 1.0, ""},
+                            {"peak_rss_bytes", "MB at most a rank", 1e-6, "{:.0f}"}};
   std::string html = R"(<div class="tiles">)";
   for (const Tile& tile : known) {
     const double value = tile.scale * stats.number(tile.key, std::nan(""));
     if (!std::isfinite(value)) continue;
-    const std::string text = *tile.format != 0 ? fmt::format(fmt::runtime(tile.format), value) : shown_number(value);
+    const std::string text =
+        *tile.format != 0 ? fmt::format(fmt::runtime(tile.format), value) : shown_number(value);
     html += fmt::format(R"(<div class="tile"><b>{}</b><span>{}</span></div>)", text, tile.label);
   }
   return html + "</div>";
 }
 
 /// The named column of the history over its iteration number.
-Series column(const RunPage& run, const std::string& key, const std::string& name, const std::string& colour) {
+Series column(const RunPage& run, const std::string& key, const std::string& name,
+              const std::string& colour) {
   Series series{name, colour, {}};
   for (std::size_t i = 0; i < run.history.size(); ++i) {
     const double iteration = run.history[i].number("iteration", static_cast<double>(i + 1));
@@ -102,16 +110,18 @@ Series column(const RunPage& run, const std::string& key, const std::string& nam
 }
 
 std::string convergence(const RunPage& run) {
-  const std::pair<const char*, const char*> errors[] = {{"estimated_error", "estimated error, relative"},
-                                                        {"residual", "residual, relative"},
-                                                        {"relative_change", "change, relative"},
-                                                        {"max_change", "largest change of radiosity"}};
+  const std::pair<const char*, const char*> errors[] = {
+      {"estimated_error", "estimated error, relative"},
+      {"residual", "residual, relative"},
+      {"relative_change", "change, relative"},
+      {"max_change", "largest change of radiosity"}};
   std::vector<Series> series;
   for (const auto& [key, name] : errors) {
     // In the scene's unit, so alone on its axis.
     if (std::string_view(key) == "max_change" && !series.empty()) continue;
     Series s = column(run, key, name, rank_colour(static_cast<int>(series.size())));
-    const bool any = std::any_of(s.points.begin(), s.points.end(), [](const auto& p) { return p.second > 0.0; });
+    const bool any =
+        std::any_of(s.points.begin(), s.points.end(), [](const auto& p) { return p.second > 0.0; });
     if (any) series.push_back(std::move(s));
   }
   const std::string errors_chart = line_chart(series, "iteration", "error and change");
@@ -127,9 +137,10 @@ std::string convergence(const RunPage& run) {
 }
 
 std::string time_by_rank(const RunRecord& stats) {
-  const std::tuple<const char*, const char*, const char*> kinds[] = {{"compute_s", "computing", "var(--compute)"},
-                                                                     {"io_s", "reading and writing", "var(--io)"},
-                                                                     {"idle_s", "waiting", "var(--idle)"}};
+  const std::tuple<const char*, const char*, const char*> kinds[] = {
+      {"compute_s", "computing", "var(--compute)"},
+      {"io_s", "reading and writing", "var(--io)"},
+      {"idle_s", "waiting", "var(--idle)"}};
   std::vector<Layer> layers;
   std::size_t ranks = 0;
   for (const auto& [key, name, colour] : kinds) {
@@ -153,13 +164,15 @@ std::string plans(const RunPage& run) {
   if (ranks > 0 && ranks <= 32) {
     html += "<div class=\"legend\">";
     for (int r = 0; r < ranks; ++r) {
-      html += fmt::format(R"(<span><i style="background:{}"></i>rank {}</span>)", rank_colour(r), r);
+      html +=
+          fmt::format(R"(<span><i style="background:{}"></i>rank {}</span>)", rank_colour(r), r);
     }
     html += "</div>";
   }
   html += "<div class=\"grid2\">";
   for (const FloorPlan& plan : run.plans) {
-    html += "<figure class=\"card\">" + plan.svg + "<figcaption>" + escaped(plan.title) + "</figcaption></figure>";
+    html += "<figure class=\"card\">" + plan.svg + "<figcaption>" + escaped(plan.title) +
+            "</figcaption></figure>";
   }
   return html + "</div>";
 }
@@ -168,14 +181,16 @@ std::string stats_table(const RunRecord& stats) {
   std::string html = "<h3>All figures of the run</h3><div class=\"columns\"><table>";
   for (const auto& [key, value] : stats.entries()) {
     const bool list = std::holds_alternative<std::vector<double>>(value);
-    html += fmt::format("<tr><th>{}</th><td{}>{}</td></tr>", words(key), list ? "" : " class=\"n\"", shown(&value));
+    html += fmt::format("<tr><th>{}</th><td{}>{}</td></tr>", words(key), list ? "" : " class=\"n\"",
+                        shown(&value));
   }
   return html + "</table></div>";
 }
 
 std::string run_section(const RunPage& run, bool titled) {
   std::string html = titled ? "<h2>" + escaped(run.name) + "</h2>" : "";
-  for (const std::string& line : run.warnings) html += "<p class=\"warn\">" + escaped(line) + "</p>";
+  for (const std::string& line : run.warnings)
+    html += "<p class=\"warn\">" + escaped(line) + "</p>";
   html += tiles(run.stats);
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
     if (i == 1) html += "<div class=\"grid2\">";
@@ -184,7 +199,8 @@ std::string run_section(const RunPage& run, bool titled) {
   if (run.pictures.size() > 1) html += "</div>";
   html += plans(run) + convergence(run) + time_by_rank(run.stats) + stats_table(run.stats);
   if (!run.attribution.empty()) html += "<h3>The scene</h3>";
-  for (const std::string& line : run.attribution) html += "<p class=\"soft\">" + escaped(line) + "</p>";
+  for (const std::string& line : run.attribution)
+    html += "<p class=\"soft\">" + escaped(line) + "</p>";
   return html;
 }
 
@@ -198,27 +214,33 @@ std::string comparison(std::span<const RunPage> runs) {
     for (const auto& [key, value] : source.stats.entries()) {
       if (std::holds_alternative<std::vector<double>>(value) || !done.insert(key).second) continue;
       html += "<tr><th>" + words(key) + "</th>";
-      for (const RunPage& run : runs) html += "<td class=\"n\">" + shown(run.stats.find(key)) + "</td>";
+      for (const RunPage& run : runs)
+        html += "<td class=\"n\">" + shown(run.stats.find(key)) + "</td>";
       html += "</tr>";
     }
   }
   html += "</table></div>";
   std::vector<Series> series;
   for (const RunPage& run : runs) {
-    series.push_back(column(run, "estimated_error", run.name, rank_colour(static_cast<int>(series.size()))));
+    series.push_back(
+        column(run, "estimated_error", run.name, rank_colour(static_cast<int>(series.size()))));
   }
   const std::string chart = line_chart(series, "iteration", "estimated error");
-  return chart.empty() ? html : html + "<h3>Convergence of all</h3><div class=\"card\">" + chart + "</div>";
+  return chart.empty()
+             ? html
+             : html + "<h3>Convergence of all</h3><div class=\"card\">" + chart + "</div>";
 }
 
 }  // namespace
 
 std::string report_html(std::span<const RunPage> runs) {
   const std::string title = runs.size() == 1 ? runs[0].name : std::to_string(runs.size()) + " runs";
-  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-                     "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
-                     escaped(title) + " - Enfilade</title><style>" + report_style + "</style></head><body><main>";
-  html += "<h1>" + escaped(title) + "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
+  std::string html =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
+      escaped(title) + " - Enfilade</title><style>" + report_style + "</style></head><body><main>";
+  html += "<h1>" + escaped(title) +
+          "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
           "radiosity. Made by Enfilade.</p>";
   if (runs.size() > 1) html += comparison(runs);
   for (const RunPage& run : runs) html += run_section(run, runs.size() > 1);

@@ -29,13 +29,14 @@ struct RunPage {
   std::vector<std::string> warnings, attribution;
 };
 
-/// Reads RUN's stats.json, history.json, warnings.json and scene.json (its licence); no pictures yet.
-/// Throws InputError where RUN has no stats.json.
+/// Reads RUN's stats.json, history.json, warnings.json and scene.json (its licence); no pictures
+/// yet. Throws InputError where RUN has no stats.json.
 RunPage read_run_page(const std::string& run_directory);
-/// Renders the pictures (tone-mapped; the first from within and the first cut-away also in false colour) and draws
-/// the plans.
+/// Renders the pictures (tone-mapped; the first from within and the first cut-away also in false
+/// colour) and draws the plans.
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
-                  std::span<const Rank> owner, const RenderConfig& config, const Progress& progress = {});
+                  std::span<const Rank> owner, const RenderConfig& config,
+                  const Progress& progress = {});
 
 /// The page. With several runs a table that compares them comes first.
 std::string report_html(std::span<const RunPage> runs);

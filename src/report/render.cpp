@@ -47,7 +47,9 @@ class Lens {
 class Painter {
  public:
   Painter(const SolvedScene& solved, const Camera& camera, const RenderConfig& config)
-      : solved_(solved), camera_(camera), config_(config),
+      : solved_(solved),
+        camera_(camera),
+        config_(config),
         lens_(camera, static_cast<double>(config.width) / config.height) {
     for (const ClusterState& state : solved.states) polygons_ += state.patches().polygons();
     outer_ = std::make_unique<std::atomic<Outer>[]>(polygons_);
@@ -55,7 +57,8 @@ class Painter {
     PointGatherConfig gather;
     gather.rays = config.gather_rays;
     gather.seed = config.seed;
-    gather_ = std::make_unique<PointGather>(solved.states, solved.scene.lights, solved.occluders, gather);
+    gather_ =
+        std::make_unique<PointGather>(solved.states, solved.scene.lights, solved.occluders, gather);
   }
 
   void paint_row(int y, LightImage& image) const {
@@ -90,7 +93,8 @@ class Painter {
     Vec3 p{0.0};
   };
 
-  /// First polygon that is seen: where two lie in one place back to back, the one that faces the eye.
+  /// First polygon that is seen: where two lie in one place back to back, the one that faces the
+  /// eye.
   Met first_seen(const Ray& ray, std::uint32_t skip) const {
     const RayScene& rays = solved_.occluders.rays();
     Met met;
@@ -98,14 +102,16 @@ class Painter {
     met.p = ray.from + met.hit.distance_m * ray.direction;
     if (!met.hit.any() || met.hit.front) return met;
     const double step_m = 4.0 * rays.epsilon_m();
-    const RayHit twin = rays.closest(met.p - step_m * ray.direction, ray.direction, met.hit.polygon, 2.0 * step_m);
+    const RayHit twin =
+        rays.closest(met.p - step_m * ray.direction, ray.direction, met.hit.polygon, 2.0 * step_m);
     if (twin.any() && twin.front) met.hit = twin;
     return met;
   }
 
   /// A pixel's gathers: one for each polygon in it, whatever the number of samples.
   using Gathered = std::vector<std::pair<std::uint32_t, Spectrum>>;
-  const Spectrum& gather_once(std::uint32_t polygon, const Vec3& p, const Vec3& n, Gathered& gathered) const {
+  const Spectrum& gather_once(std::uint32_t polygon, const Vec3& p, const Vec3& n,
+                              Gathered& gathered) const {
     for (const auto& [known, e] : gathered) {
       if (known == polygon) return e;
     }
@@ -144,14 +150,16 @@ class Painter {
 
   /// Within a closed solid everything around shows its back.
   bool inside_solid(const Vec3& p) const {
-    const Vec3 around[] = {{0.9, 0.4, 0.1}, {-0.9, -0.3, 0.2}, {0.3, -0.9, 0.15}, {-0.4, 0.9, -0.2}, {0.1, 0.2, 1.0}};
+    const Vec3 around[] = {
+        {0.9, 0.4, 0.1}, {-0.9, -0.3, 0.2}, {0.3, -0.9, 0.15}, {-0.4, 0.9, -0.2}, {0.1, 0.2, 1.0}};
     return std::all_of(std::begin(around), std::end(around), [&](const Vec3& d) {
       const RayHit hit = solved_.occluders.rays().closest(p, d);
       return hit.any() && !hit.front;
     });
   }
 
-  /// A facade: upright or downward, with open sky or nothing before most of it. It hides the rooms in a cut-away.
+  /// A facade: upright or downward, with open sky or nothing before most of it. It hides the rooms
+  /// in a cut-away.
   bool outer(std::uint32_t polygon) const {
     Outer known = outer_[polygon].load(std::memory_order_relaxed);
     if (known == Outer::unknown) {
@@ -191,9 +199,11 @@ class Painter {
     }
     b = e;
     if (!gather_ && config_.smooth) smooth_irradiance(forest, ref.polygon, met.p, turn, b);
-    for (std::size_t i = 0; i < b.size(); ++i) b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
+    for (std::size_t i = 0; i < b.size(); ++i)
+      b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
     const auto rgb = display_rgb(b);
-    for (std::size_t c = 0; c < 3; ++c) pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
+    for (std::size_t c = 0; c < 3; ++c)
+      pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
     double mean = 0.0;
     for (double value : e) mean += value / static_cast<double>(e.size());
     pixel.irradiance += static_cast<float>(std::max(0.0, mean));
@@ -205,7 +215,8 @@ class Painter {
   Lens lens_;
   enum class Outer : std::uint8_t { unknown, yes, no };
   std::size_t polygons_ = 0;
-  std::unique_ptr<std::atomic<Outer>[]> outer_;  ///< asked for as rays meet them, the same whoever asks first
+  std::unique_ptr<std::atomic<Outer>[]>
+      outer_;  ///< asked for as rays meet them, the same whoever asks first
   std::unique_ptr<PointGather> gather_;
 };
 
@@ -219,7 +230,8 @@ std::array<double, 3> display_rgb(std::span<const double> bands) {
     // At least one band each, so that two bands show as first, second, second.
     const std::size_t first = std::min(c * n / 3, n - 1);
     const std::size_t last = std::max(first + 1, (c + 1) * n / 3);
-    for (std::size_t i = first; i < last; ++i) rgb[c] += bands[i] / static_cast<double>(last - first);
+    for (std::size_t i = first; i < last; ++i)
+      rgb[c] += bands[i] / static_cast<double>(last - first);
   }
   return rgb;
 }
@@ -229,7 +241,8 @@ LightImage render(const SolvedScene& solved, const Camera& camera, const RenderC
   LightImage image;
   image.width = config.width;
   image.height = config.height;
-  image.pixels.resize(static_cast<std::size_t>(config.width) * static_cast<std::size_t>(config.height));
+  image.pixels.resize(static_cast<std::size_t>(config.width) *
+                      static_cast<std::size_t>(config.height));
   const Painter painter(solved, camera, config);
   std::atomic<int> next_row{0};
   const auto work = [&](bool reports) {
@@ -238,8 +251,8 @@ LightImage render(const SolvedScene& solved, const Camera& camera, const RenderC
       if (reports) report_progress(progress, "render", static_cast<double>(y) / config.height);
     }
   };
-  const int wanted = config.threads > 0 ? config.threads
-                                        : static_cast<int>(std::thread::hardware_concurrency());
+  const int wanted =
+      config.threads > 0 ? config.threads : static_cast<int>(std::thread::hardware_concurrency());
   std::vector<std::jthread> others;
   for (int t = 1; t < wanted; ++t) others.emplace_back(work, false);
   work(true);

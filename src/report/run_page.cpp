@@ -13,7 +13,8 @@ RunPage read_run_page(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   RunPage page;
   page.name = run.lexically_normal().filename().string();
-  if (page.name.empty() || page.name == ".") page.name = run.lexically_normal().parent_path().filename().string();
+  if (page.name.empty() || page.name == ".")
+    page.name = run.lexically_normal().parent_path().filename().string();
   page.stats = read_stats((run / "stats.json").string());
   page.history = read_history((run / "history.json").string());
   page.warnings = read_lines((run / "warnings.json").string());
@@ -22,14 +23,17 @@ RunPage read_run_page(const std::string& run_directory) {
 }
 
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
-                  std::span<const Rank> owner, const RenderConfig& config, const Progress& progress) {
+                  std::span<const Rank> owner, const RenderConfig& config,
+                  const Progress& progress) {
   const std::string unit = irradiance_label(solved.scene.unit);
   bool inside_shown = false, above_shown = false;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const Camera& camera = cameras[i];
-    const LightImage image = render(solved, camera, config, [&](std::string_view phase, double done) {
-      report_progress(progress, phase, (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
-    });
+    const LightImage image =
+        render(solved, camera, config, [&](std::string_view phase, double done) {
+          report_progress(progress, phase,
+                          (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
+        });
     page.pictures.push_back({camera.name, encode_png(tone_mapped(image), camera.name)});
     bool& shown = camera.cut_above_m ? above_shown : inside_shown;
     if (!shown) {

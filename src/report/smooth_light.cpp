@@ -12,7 +12,8 @@ std::size_t leaf_at(const PatchForest& forest, std::uint32_t polygon, const Vec2
   std::size_t i = polygon;
   while (!forest.node(i).leaf()) {
     const PatchNode& node = forest.node(i);
-    i = static_cast<std::size_t>(node.first_child) + (glm::dot(node.split_axis, q) >= node.split_at ? 1 : 0);
+    i = static_cast<std::size_t>(node.first_child) +
+        (glm::dot(node.split_axis, q) >= node.split_at ? 1 : 0);
   }
   return i;
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+
+#include "report/glb_writer.hpp"
 
 namespace enfilade {
 
@@ -20,8 +21,8 @@ struct Vertex {
   int leaves = 0;
 };
 
-/// One polygon's leaf patches as triangles; light at a corner is the mean of the patches that meet there, so that
-/// it runs on smoothly from one to the next.
+/// One polygon's leaf patches as triangles; light at a corner is the mean of the patches that meet
+/// there, so that it runs on smoothly from one to the next.
 class PolygonMesh {
  public:
   PolygonMesh(const PatchForest& forest, std::span<const std::size_t> leaves) : forest_(forest) {
@@ -45,7 +46,8 @@ class PolygonMesh {
   std::uint32_t add(std::size_t leaf, const Vec2& corner) {
     constexpr double grid_m = 1e-6;
     const std::pair key(std::llround(corner.x / grid_m), std::llround(corner.y / grid_m));
-    const auto [at, fresh] = by_place_.try_emplace(key, static_cast<std::uint32_t>(vertices.size()));
+    const auto [at, fresh] =
+        by_place_.try_emplace(key, static_cast<std::uint32_t>(vertices.size()));
     const std::size_t bands = static_cast<std::size_t>(forest_.bands());
     if (fresh) vertices.push_back({corner, Spectrum(bands, 0.0), Spectrum(bands, 0.0), 0});
     Vertex& v = vertices[at->second];
@@ -82,7 +84,8 @@ ToneMap tone_map_of(const SolvedScene& solved, const ToneConfig& config) {
     for (std::size_t i = 0; i < forest.size(); ++i) {
       if (!forest.node(i).leaf()) continue;
       Spectrum mean;
-      for (std::size_t t = 0; t < forest.radiosity(i).size(); t += static_cast<std::size_t>(forest.terms())) {
+      for (std::size_t t = 0; t < forest.radiosity(i).size();
+           t += static_cast<std::size_t>(forest.terms())) {
         mean.push_back(forest.radiosity(i)[t]);
       }
       luminances.emplace_back(luminance(display_rgb(mean)), forest.node(i).shape.area_m2);
@@ -108,7 +111,8 @@ class Mesh {
     objects.back().first_vertex = irradiance.size();
     objects.back().first_index = indices.size();
   }
-  void add(const PolygonMesh& polygon, const PolygonFrame& frame, const Vec3& centre, const ToneMap& tone) {
+  void add(const PolygonMesh& polygon, const PolygonFrame& frame, const Vec3& centre,
+           const ToneMap& tone) {
     Object& object = objects.back();
     for (std::uint32_t i : polygon.indices) {
       indices.push_back(static_cast<std::uint32_t>(object.vertices) + i);
@@ -159,45 +163,6 @@ Mesh build_mesh(const SolvedScene& solved, const ToneMap& tone, const Vec3& cent
   return mesh;
 }
 
-/// Writes the JSON that describes the chunk, and the chunk.
-class GlbWriter {
- public:
-  Json json;
-  std::string chunk;
-
-  template <class T>
-  std::size_t add_view(const std::vector<T>& values, int target) {
-    const std::size_t bytes = values.size() * sizeof(T), start = chunk.size();
-    chunk.resize(start + (bytes + 3) / 4 * 4, '\0');
-    if (bytes > 0) std::memcpy(chunk.data() + start, values.data(), bytes);
-    json["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes}, {"target", target}});
-    return json["bufferViews"].size() - 1;
-  }
-  std::size_t add_accessor(std::size_t view, std::size_t offset, int type, std::size_t count, const char* shape) {
-    json["accessors"].push_back({{"bufferView", view}, {"byteOffset", offset}, {"componentType", type},
-                                 {"count", count}, {"type", shape}});
-    return json["accessors"].size() - 1;
-  }
-  std::string bytes() const {
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string out;
-    const auto word = [&out](std::size_t value) {
-      for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((value >> shift) & 0xFF);
-    };
-    word(0x46546C67);  // "glTF"
-    word(2);
-    word(12 + 8 + text.size() + 8 + chunk.size());
-    word(text.size());
-    word(0x4E4F534A);  // "JSON"
-    out += text;
-    word(chunk.size());
-    word(0x004E4942);  // "BIN"
-    return out + chunk;
-  }
-};
-
 void add_objects(GlbWriter& glb, const Mesh& mesh, const std::vector<std::string>& names) {
   const std::size_t position = glb.add_view(mesh.positions, vertex_target);
   const std::size_t colour = glb.add_view(mesh.colours, vertex_target);
@@ -208,18 +173,24 @@ void add_objects(GlbWriter& glb, const Mesh& mesh, const std::vector<std::string
   glb.json["bufferViews"][irradiance]["byteStride"] = 4;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Mesh::Object& o = mesh.objects[i];
-    const std::size_t p = glb.add_accessor(position, 12 * o.first_vertex, float_type, o.vertices, "VEC3");
+    const std::size_t p =
+        glb.add_accessor(position, 12 * o.first_vertex, float_type, o.vertices, "VEC3");
     glb.json["accessors"][p]["min"] = o.lo;
     glb.json["accessors"][p]["max"] = o.hi;
-    const std::size_t c = glb.add_accessor(colour, 8 * o.first_vertex, ushort_type, o.vertices, "VEC4");
+    const std::size_t c =
+        glb.add_accessor(colour, 8 * o.first_vertex, ushort_type, o.vertices, "VEC4");
     glb.json["accessors"][c]["normalized"] = true;
-    const std::size_t e = glb.add_accessor(irradiance, 4 * o.first_vertex, float_type, o.vertices, "SCALAR");
-    const std::size_t t = glb.add_accessor(index, 4 * o.first_index, uint_type, o.indices, "SCALAR");
+    const std::size_t e =
+        glb.add_accessor(irradiance, 4 * o.first_vertex, float_type, o.vertices, "SCALAR");
+    const std::size_t t =
+        glb.add_accessor(index, 4 * o.first_index, uint_type, o.indices, "SCALAR");
     const std::string name = names[i].empty() ? "surfaces" : names[i];
     glb.json["meshes"].push_back(
         {{"name", name},
-         {"primitives", {{{"attributes", {{"POSITION", p}, {"COLOR_0", c}, {"_IRRADIANCE", e}}},
-                          {"indices", t}, {"material", 0}}}}});
+         {"primitives",
+          {{{"attributes", {{"POSITION", p}, {"COLOR_0", c}, {"_IRRADIANCE", e}}},
+            {"indices", t},
+            {"material", 0}}}}});
     glb.json["nodes"].push_back({{"name", name}, {"mesh", i}});
     glb.json["nodes"][0]["children"].push_back(i + 1);
   }
@@ -236,19 +207,23 @@ std::string solution_glb(const SolvedScene& solved, const ToneConfig& config) {
   std::vector<std::string> names;
   const Mesh mesh = build_mesh(solved, tone, centre, names);
   GlbWriter glb;
-  glb.json["asset"] = {{"version", "2.0"}, {"generator", "enfilade"},
-                       {"extras", {{"irradianceUnit", irradiance_label(solved.scene.unit)},
-                                   {"exposure", tone.exposure()}}}};
+  glb.json["asset"] = {
+      {"version", "2.0"},
+      {"generator", "enfilade"},
+      {"extras",
+       {{"irradianceUnit", irradiance_label(solved.scene.unit)}, {"exposure", tone.exposure()}}}};
   glb.json["extensionsUsed"] = {"KHR_materials_unlit"};
   glb.json["scene"] = 0;
   glb.json["scenes"] = {{{"nodes", {0}}}};
   // A quarter turn makes z-up y-up.
   const double half = std::sqrt(0.5);
-  glb.json["nodes"] = {{{"name", "building"}, {"rotation", {-half, 0.0, 0.0, half}},
+  glb.json["nodes"] = {{{"name", "building"},
+                        {"rotation", {-half, 0.0, 0.0, half}},
                         {"translation", {centre.x, centre.z, -centre.y}}}};
-  glb.json["materials"] = {{{"name", "radiosity"},
-                            {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}},
-                            {"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
+  glb.json["materials"] = {
+      {{"name", "radiosity"},
+       {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}},
+       {"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
   if (!names.empty()) {
     add_objects(glb, mesh, names);
     glb.json["buffers"] = {{{"byteLength", glb.chunk.size()}}};

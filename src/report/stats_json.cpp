@@ -26,7 +26,8 @@ Json json_of(const RunRecord::Value& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& where, const std::string& what) {
+[[noreturn]] void refuse(const std::string& path, const std::string& where,
+                         const std::string& what) {
   throw InputError(path, where, what, "give a run directory that a solve has written");
 }
 
@@ -95,7 +96,8 @@ std::vector<RunRecord> read_history(const std::string& path) {
 std::vector<Rank> read_owners(const std::string& path) {
   std::vector<Rank> owners;
   for (const Json& item : parse_list(path)) {
-    if (!item.is_number_unsigned()) refuse(path, std::to_string(owners.size()), "a rank is expected");
+    if (!item.is_number_unsigned())
+      refuse(path, std::to_string(owners.size()), "a rank is expected");
     owners.push_back(Rank{item.get<int>()});
   }
   return owners;

@@ -16,15 +16,16 @@ void write_stats(const RunRecord& record, const std::string& path);
 /// Throws InputError where the file is missing or is not a flat JSON object.
 RunRecord read_stats(const std::string& path);
 
-/// A list of flat objects, one an iteration; empty where the file is missing. Throws InputError for another kind
-/// of content.
+/// A list of flat objects, one an iteration; empty where the file is missing. Throws InputError for
+/// another kind of content.
 std::vector<RunRecord> read_history(const std::string& path);
-/// RUN/assignment.json: a list with the rank of each cluster, in order of their ids; empty where it is missing.
+/// RUN/assignment.json: a list with the rank of each cluster, in order of their ids; empty where it
+/// is missing.
 std::vector<Rank> read_owners(const std::string& path);
 /// RUN/warnings.json: a list of lines; empty where it is missing.
 std::vector<std::string> read_lines(const std::string& path);
-/// The scene file's source, licence and attribution: its keys "source", "licence", "license", "attribution",
-/// "copyright", "author". Empty where the file is missing or is not JSON.
+/// The scene file's source, licence and attribution: its keys "source", "licence", "license",
+/// "attribution", "copyright", "author". Empty where the file is missing or is not JSON.
 std::vector<std::string> read_attribution(const std::string& scene_file);
 
 }  // namespace enfilade

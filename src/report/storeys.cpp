@@ -73,11 +73,12 @@ std::vector<Storey> storeys(const SolvedScene& solved) {
   std::vector<Storey> found;
   while (!pieces.empty()) {
     // The level with most area; what lies within a storey of it are landings and steps.
-    const auto most = std::max_element(pieces.begin(), pieces.end(), [&](const auto& a, const auto& b) {
-      const double near_a = area_near(pieces, a.height_m, reach_m);
-      const double near_b = area_near(pieces, b.height_m, reach_m);
-      return near_a != near_b ? near_a < near_b : a.height_m > b.height_m;
-    });
+    const auto most =
+        std::max_element(pieces.begin(), pieces.end(), [&](const auto& a, const auto& b) {
+          const double near_a = area_near(pieces, a.height_m, reach_m);
+          const double near_b = area_near(pieces, b.height_m, reach_m);
+          return near_a != near_b ? near_a < near_b : a.height_m > b.height_m;
+        });
     const double level_m = most->height_m;
     if (area_near(pieces, level_m, reach_m) < 0.08 * total_m2) break;
     found.push_back({level_m, median_headroom(pieces, level_m, reach_m)});

@@ -59,7 +59,8 @@ std::string surfaces_csv(const SolvedScene& solved) {
   const std::vector<Sums> sums = sums_over_surfaces(solved);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Surface& surface = solved.scene.surfaces[i];
-    fmt::format_to(out, "{},{},{},{:.6g}", i, field(surface.name), field(surface.object), sums[i].area_m2);
+    fmt::format_to(out, "{},{},{},{:.6g}", i, field(surface.name), field(surface.object),
+                   sums[i].area_m2);
     for (const auto* light : {&sums[i].irradiance, &sums[i].radiosity}) {
       for (double power : *light) {
         if (sums[i].area_m2 > 0.0) {

@@ -18,8 +18,8 @@ double quantile(const std::vector<std::pair<double, double>>& sorted, double sha
   return 0.0;
 }
 
-/// exp of the mean log, equation 1, over what is at least a thousandth of the median: the dark insides of
-/// cupboards and walls shall not make the rooms too bright.
+/// exp of the mean log, equation 1, over what is at least a thousandth of the median: the dark
+/// insides of cupboards and walls shall not make the rooms too bright.
 double log_average(const std::vector<std::pair<double, double>>& sorted) {
   const double floor = 1e-3 * quantile(sorted, 0.5);
   double sum = 0.0, total = 0.0;

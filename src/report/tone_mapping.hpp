@@ -12,11 +12,13 @@ namespace enfilade {
 
 struct ToneConfig {
   enum class Curve { reinhard, linear } curve = Curve::reinhard;
-  double key = 0.18;       ///< what the middle luminance is shown as, of 1
-  double exposure = 0.0;   ///< > 0: this many times the light; 0 = by itself, from the light in the picture
+  double key = 0.18;  ///< what the middle luminance is shown as, of 1
+  double exposure =
+      0.0;  ///< > 0: this many times the light; 0 = by itself, from the light in the picture
 };
 
-/// Maps linear light to [0, 1] display light (Reinhard, Stark, Shirley, Ferwerda 2002, equations 1 to 4).
+/// Maps linear light to [0, 1] display light (Reinhard, Stark, Shirley, Ferwerda 2002, equations 1
+/// to 4).
 class ToneMap {
  public:
   /// `luminances` (with weights) are what exposure and white are found from.

@@ -27,7 +27,8 @@ std::vector<ClusterId> at_places(const std::vector<ClusterId>& clusters,
   return order;
 }
 
-/// Nearest neighbour, and where asked the better tour that segment moves make of it or of the order given.
+/// Nearest neighbour, and where asked the better tour that segment moves make of it or of the order
+/// given.
 std::vector<ClusterId> cheap_order(const std::vector<ClusterId>& clusters,
                                    const VisibilityCost& cost, bool improve, std::uint64_t seed) {
   const CandidateLists candidates = candidate_lists(clusters, cost, candidates_a_cluster);
@@ -47,7 +48,8 @@ std::vector<ClusterId> cheap_order(const std::vector<ClusterId>& clusters,
 
 std::vector<ClusterId> shuffled(std::vector<ClusterId> clusters, std::uint64_t seed) {
   Random random(seed);
-  for (std::size_t i = clusters.size(); i > 1; --i) std::swap(clusters[i - 1], clusters[random.below(i)]);
+  for (std::size_t i = clusters.size(); i > 1; --i)
+    std::swap(clusters[i - 1], clusters[random.below(i)]);
   return clusters;
 }
 
@@ -66,8 +68,11 @@ Cycle::Cycle(std::vector<ClusterId> clusters, const VisibilityCost& cost, TourOr
              std::uint64_t seed)
     : order_(std::move(clusters)) {
   switch (order) {
-    case TourOrder::input: break;
-    case TourOrder::random: order_ = shuffled(std::move(order_), seed); break;
+    case TourOrder::input:
+      break;
+    case TourOrder::random:
+      order_ = shuffled(std::move(order_), seed);
+      break;
     case TourOrder::greedy:
     case TourOrder::travelling_salesman:
       if (order_.size() > 2) {

@@ -8,7 +8,8 @@ namespace enfilade {
 
 namespace {
 
-/// Clusters looked at for each one's candidates: those that it sees, the rest of its room (close ids).
+/// Clusters looked at for each one's candidates: those that it sees, the rest of its room (close
+/// ids).
 constexpr std::size_t pool_size = 96;
 /// Unvisited clusters on each side by id that are tried where no candidate is left.
 constexpr int far_tries = 16;
@@ -27,7 +28,8 @@ struct ById {
   }
 };
 
-/// Places to look at from c: at most pool_size / 2 evenly of what it sees, and as many of the closest ids.
+/// Places to look at from c: at most pool_size / 2 evenly of what it sees, and as many of the
+/// closest ids.
 std::vector<std::uint32_t> pool_of(std::uint32_t c, const std::vector<ClusterId>& clusters,
                                    const ClusterGraph& graph, const ById& by_id,
                                    const std::vector<std::uint32_t>& place_of) {
@@ -84,7 +86,8 @@ CandidateLists candidate_lists(const std::vector<ClusterId>& clusters, const Vis
                                std::size_t width) {
   const std::size_t n = clusters.size();
   const ById by_id(clusters);
-  std::vector<std::uint32_t> place_of(cost.graph().size(), std::numeric_limits<std::uint32_t>::max());
+  std::vector<std::uint32_t> place_of(cost.graph().size(),
+                                      std::numeric_limits<std::uint32_t>::max());
   for (std::uint32_t c = 0; c < n; ++c) place_of[clusters[c].index()] = c;
   using Priced = std::pair<std::uint64_t, std::uint32_t>;
   const auto cheapest = [width](std::vector<Priced>& all) {

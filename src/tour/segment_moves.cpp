@@ -27,7 +27,8 @@ class TourArray {
     return (at_[x] + size() - at_[a]) % size();
   }
 
-  /// a [1..p] [p+1..q] rest -> a [p+1..q] [1..p] rest. Of the three segments the longest stays where it is.
+  /// a [1..p] [p+1..q] rest -> a [p+1..q] [1..p] rest. Of the three segments the longest stays
+  /// where it is.
   void exchange(std::uint32_t a, std::size_t p, std::size_t q) {
     const std::size_t n = size(), first = at_[a] + 1;
     const std::array<std::size_t, 3> start{first, first + p, first + q}, length{p, q - p, n - q};
@@ -63,9 +64,14 @@ class Improver {
   Improver(std::vector<std::uint32_t> tour, const std::vector<ClusterId>& clusters,
            const VisibilityCost& cost, const CandidateLists& candidates,
            const SegmentMoveConfig& config)
-      : tour_(std::move(tour)), clusters_(clusters), cost_(cost), near_(candidates),
-        config_(config), budget_(config.costs_a_cluster * tour_.size()),
-        edge_(tour_.size()), queued_(tour_.size(), false) {
+      : tour_(std::move(tour)),
+        clusters_(clusters),
+        cost_(cost),
+        near_(candidates),
+        config_(config),
+        budget_(config.costs_a_cluster * tour_.size()),
+        edge_(tour_.size()),
+        queued_(tour_.size(), false) {
     for (std::uint32_t a : tour_.places()) {
       edge_[a] = price(a, tour_.after(a));
       total_ += edge_[a];
@@ -124,10 +130,12 @@ class Improver {
     return false;
   }
 
-  /// Cost of travelling the segment backwards. Compared with `forward_cost`, which is no longer paid.
+  /// Cost of travelling the segment backwards. Compared with `forward_cost`, which is no longer
+  /// paid.
   std::uint64_t turning_cost(std::uint32_t b, std::size_t count) {
     std::uint64_t backwards = 0;
-    for (std::uint32_t x = b; --count > 0; x = tour_.after(x)) backwards += price(tour_.after(x), x);
+    for (std::uint32_t x = b; --count > 0; x = tour_.after(x))
+      backwards += price(tour_.after(x), x);
     return backwards;
   }
   std::uint64_t forward_cost(std::uint32_t b, std::size_t count) const {
@@ -153,8 +161,9 @@ class Improver {
     return true;
   }
 
-  /// a->b..c->d..e->f becomes a->d..e->b..c->f. Of the three gains "old edge minus new edge from the same
-  /// place" one must be positive where the sum is, and each of the three places gets its turn as a.
+  /// a->b..c->d..e->f becomes a->d..e->b..c->f. Of the three gains "old edge minus new edge from
+  /// the same place" one must be positive where the sum is, and each of the three places gets its
+  /// turn as a.
   bool exchange_after(std::uint32_t a) {
     const std::uint32_t b = tour_.after(a);
     for (std::uint32_t d : near_.after[a]) {

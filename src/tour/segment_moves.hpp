@@ -1,5 +1,6 @@
-// Improves a tour by moving segments: Or-opt (short segments, either way round) and 3-opt segment exchange,
-// which keeps the direction of travel and so suits asymmetric costs (Kanellakis and Papadimitriou 1980).
+// Improves a tour by moving segments: Or-opt (short segments, either way round) and 3-opt segment
+// exchange, which keeps the direction of travel and so suits asymmetric costs (Kanellakis and
+// Papadimitriou 1980).
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,10 @@
 namespace enfilade {
 
 struct SegmentMoveConfig {
-  std::uint64_t costs_a_cluster = 1000;  ///< budget of OVG edges looked at, times the number of clusters
-  std::size_t longest_or_opt = 3;        ///< clusters in a segment that Or-opt moves
-  int kicks_a_cluster = 4;               ///< random segment exchanges, kept where the tour gets cheaper
+  std::uint64_t costs_a_cluster =
+      1000;                        ///< budget of OVG edges looked at, times the number of clusters
+  std::size_t longest_or_opt = 3;  ///< clusters in a segment that Or-opt moves
+  int kicks_a_cluster = 4;         ///< random segment exchanges, kept where the tour gets cheaper
   std::uint64_t seed = 1;
 };
 

@@ -12,12 +12,12 @@
 namespace enfilade {
 
 /// What it costs to go from one receiving cluster to the next: OVG's edge (C1, C2).
-/// cost(C1, C2) = bytes of C2's receiver part and of the clusters visible to C2 that are neither C1 nor
-/// visible to C1, when `memory_bytes` holds all that C2 needs; what does not fit is paid again.
+/// cost(C1, C2) = bytes of C2's receiver part and of the clusters visible to C2 that are neither C1
+/// nor visible to C1, when `memory_bytes` holds all that C2 needs; what does not fit is paid again.
 class VisibilityCost {
  public:
-  /// bytes[c]: what cluster c takes as a shooter (geometry and patches). receiver_bytes[c]: what it takes
-  /// besides as a receiver (its links), read at each of its turns; empty = none.
+  /// bytes[c]: what cluster c takes as a shooter (geometry and patches). receiver_bytes[c]: what it
+  /// takes besides as a receiver (its links), read at each of its turns; empty = none.
   VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
                  std::uint64_t memory_bytes, std::vector<std::uint64_t> receiver_bytes = {});
   std::uint64_t between(ClusterId from, ClusterId to) const;
@@ -58,15 +58,17 @@ TourOrder tour_order(const std::string& name);
 class Cycle {
  public:
   Cycle() = default;
-  /// Asymmetric travelling salesman: nearest neighbour, then Or-opt and 3-opt segment moves. The number of
-  /// moves tried is bounded by the number of clusters, not by a clock, so that the tour repeats.
+  /// Asymmetric travelling salesman: nearest neighbour, then Or-opt and 3-opt segment moves. The
+  /// number of moves tried is bounded by the number of clusters, not by a clock, so that the tour
+  /// repeats.
   Cycle(std::vector<ClusterId> clusters, const VisibilityCost& cost, TourOrder order,
         std::uint64_t seed);
 
   const std::vector<ClusterId>& order() const { return order_; }
   /// Bytes of one round. A cycle of one cluster costs what of it does not stay in memory.
   std::uint64_t cost_bytes() const { return cost_bytes_; }
-  /// Links predecessor and successor together (§3.3.3). A cluster that is not in the cycle is left out.
+  /// Links predecessor and successor together (§3.3.3). A cluster that is not in the cycle is left
+  /// out.
   void remove(ClusterId cluster, const VisibilityCost& cost);
 
  private:

@@ -9,7 +9,9 @@ namespace enfilade {
 VisibilityCost::VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
                                std::uint64_t memory_bytes,
                                std::vector<std::uint64_t> receiver_bytes)
-    : graph_(&graph), bytes_(std::move(bytes)), receiver_bytes_(std::move(receiver_bytes)),
+    : graph_(&graph),
+      bytes_(std::move(bytes)),
+      receiver_bytes_(std::move(receiver_bytes)),
       memory_bytes_(memory_bytes) {
   ENFILADE_CHECK(bytes_.size() == graph.size(), std::to_string(bytes_.size()));
   ENFILADE_CHECK(receiver_bytes_.empty() || receiver_bytes_.size() == graph.size(),

@@ -356,6 +356,46 @@ class Workflow(InScratch):
             self.assertAlmostEqual(b["E"][0] / a["E"][0], 1.0, delta=0.005)
 
 
+@unittest.skipUnless(os.environ.get("ENFILADE_SMPI"), "built without SimGrid")
+class Simulated(InScratch):
+    """The same command line on a simulated cluster."""
+
+    def smpirun(self, ranks, *args):
+        command = [ROOT / "tools/smpirun.sh", str(ranks), os.environ["ENFILADE_SMPI"], *map(str, args)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=240, cwd=self.scratch)
+
+    def solve(self, ranks, name):
+        run = self.scratch / name
+        result = self.smpirun(ranks, "solve", ROOM, "-o", run, "--no-pictures", "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return run
+
+    def test_bad_input_is_refused_with_one_line(self):
+        path = self.scene(put([1.2], "surfaces", 1, "reflectance"))
+        result = self.smpirun(4, "solve", path, "-o", self.scratch / "run")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(len(said(result)), 1, result.stderr)
+        self.assertFalse((self.scratch / "run").exists())
+
+    def test_two_runs_are_equal_to_the_byte(self):
+        first, second = self.solve(2, "first"), self.solve(2, "second")
+        for name in ["probes.json", "surfaces.csv", "solution.glb", "history.json", "assignment.json"]:
+            self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
+        a, b = [json.loads((run / "stats.json").read_text()) for run in (first, second)]
+        for clock in ("prepare_s", "solve_s", "wall_s"):
+            a.pop(clock), b.pop(clock)
+        self.assertEqual(a, b)
+        self.assertGreater(a["simulated_s"], 0)
+        self.assertEqual([len(a[k]) for k in ("compute_s", "io_s", "idle_s")], [2, 2, 2])
+
+    def test_the_light_is_that_of_a_real_run(self):
+        real = self.scratch / "real"
+        self.assertEqual(enfilade("solve", ROOM, "-o", real, "--no-pictures", ranks=2).returncode, 0)
+        probes = [json.loads((run / "probes.json").read_text())["probes"] for run in (real, self.solve(4, "four"))]
+        for a, b in zip(*probes):
+            self.assertAlmostEqual(b["E"][0] / a["E"][0], 1.0, delta=0.005)
+
+
 if __name__ == "__main__":
     ENFILADE = ENFILADE or sys.argv.pop(1)
     unittest.main()

@@ -36,8 +36,11 @@ TEST(CommandLine, FaultsSayWhereAndWhatToDo) {
 }
 
 TEST(CommandLine, NegativeCoordinatesAreNoOptions) {
-  EXPECT_FALSE(parse({"render", "run", "-o", "a.png", "--eye", "-1", "-2.5", "1.6", "--look-at", "0", "0", "-1"}).fault);
-  EXPECT_FALSE(parse({"render", "run", "-o", "a.png", "--eye", "1,-2,3", "--look-at", "0,0,0"}).fault);
+  EXPECT_FALSE(parse({"render", "run", "-o", "a.png", "--eye", "-1", "-2.5", "1.6", "--look-at",
+                      "0", "0", "-1"})
+                   .fault);
+  EXPECT_FALSE(
+      parse({"render", "run", "-o", "a.png", "--eye", "1,-2,3", "--look-at", "0,0,0"}).fault);
 }
 
 }  // namespace

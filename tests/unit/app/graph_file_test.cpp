@@ -19,7 +19,8 @@ TEST(GraphFile, NamesClustersTheirSurfacesAndEachPairOnce) {
   prepared.graph = ClusterGraph(3, {{2, 0}, {0, 1}, {1, 0}});
   const auto graph = nlohmann::json::parse(graph_json(prepared));
   EXPECT_EQ(graph["visible"], nlohmann::json::parse("[[0,1],[0,2]]"));
-  EXPECT_EQ(graph["clusters"][0], nlohmann::json::parse(R"({"id": 0, "cell": 7, "surfaces": [1,5]})"));
+  EXPECT_EQ(graph["clusters"][0],
+            nlohmann::json::parse(R"({"id": 0, "cell": 7, "surfaces": [1,5]})"));
   EXPECT_EQ(graph["clusters"][2]["cell"], -1);
 }
 

@@ -24,9 +24,11 @@ inline ClusterGraph random_graph(std::uint32_t nodes, double probability, std::u
   return ClusterGraph(nodes, pairs);
 }
 
-/// A building: rooms in a row on each floor. Clusters of a room all see each other; each sees some of the next.
-inline ClusterGraph building(std::uint32_t floors, std::uint32_t rooms, std::uint32_t clusters_a_room,
-                             double through_door, std::uint64_t seed) {
+/// A building: rooms in a row on each floor. Clusters of a room all see each other; each sees some
+/// of the next.
+inline ClusterGraph building(std::uint32_t floors, std::uint32_t rooms,
+                             std::uint32_t clusters_a_room, double through_door,
+                             std::uint64_t seed) {
   Random random(seed);
   Pairs pairs;
   const std::uint32_t c = clusters_a_room;
@@ -39,15 +41,18 @@ inline ClusterGraph building(std::uint32_t floors, std::uint32_t rooms, std::uin
       }
     }
     // Stairs: the last room of a floor sees the last room of the next one.
-    if (last_of_floor && room + rooms < floors * rooms) pairs.emplace_back(room * c, (room + rooms) * c);
+    if (last_of_floor && room + rooms < floors * rooms)
+      pairs.emplace_back(room * c, (room + rooms) * c);
   }
   return ClusterGraph(floors * rooms * c, pairs);
 }
 
-/// Warshall's algorithm as the paper uses it: hops between all pairs, `nodes` where there is no path.
+/// Warshall's algorithm as the paper uses it: hops between all pairs, `nodes` where there is no
+/// path.
 inline std::vector<std::vector<std::uint32_t>> warshall(const ClusterGraph& graph) {
   const std::size_t n = graph.size();
-  std::vector<std::vector<std::uint32_t>> d(n, std::vector<std::uint32_t>(n, static_cast<std::uint32_t>(n)));
+  std::vector<std::vector<std::uint32_t>> d(
+      n, std::vector<std::uint32_t>(n, static_cast<std::uint32_t>(n)));
   for (std::size_t v = 0; v < n; ++v) {
     d[v][v] = 0;
     for (std::uint32_t to : graph.neighbours(v)) d[v][to] = 1;

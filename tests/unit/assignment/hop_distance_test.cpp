@@ -35,7 +35,8 @@ TEST(HopDistance, NearestSourcesEqualWarshall) {
   const ClusterGraph graph = random_graph(150, 0.015, 7);
   const auto hops = warshall(graph);
   std::vector<std::uint32_t> sources(70);
-  for (std::size_t s = 0; s < sources.size(); ++s) sources[s] = static_cast<std::uint32_t>(2 * s + 1);
+  for (std::size_t s = 0; s < sources.size(); ++s)
+    sources[s] = static_cast<std::uint32_t>(2 * s + 1);
   const NearestSources nearest = nearest_sources(graph, sources);
   bool some_unreached = false;
   for (std::size_t v = 0; v < graph.size(); ++v) {

@@ -75,7 +75,8 @@ TEST(Kmeans, DisconnectedPartsAreGroupedToo) {
   test::Pairs pairs;
   for (std::uint32_t island = 0; island < 8; ++island) {
     for (std::uint32_t a = 0; a < 10; ++a) {
-      for (std::uint32_t b = a + 1; b < 10; ++b) pairs.emplace_back(island * 10 + a, island * 10 + b);
+      for (std::uint32_t b = a + 1; b < 10; ++b)
+        pairs.emplace_back(island * 10 + a, island * 10 + b);
     }
   }
   const ClusterGraph graph(80, pairs);

@@ -101,8 +101,10 @@ TEST(Camera, ReadsAFileOfCameras) {
 
 TEST(Camera, NamesWhatIsWrongInTheFile) {
   for (const char* text :
-       {R"({"cameras": [{"eye": [1, 2, 3]}]})", R"({"cameras": [{"eye": [1, 2], "look_at": [0, 0, 0]}]})",
-        R"({"cameras": [{"eye": [1, 2, 3], "look_at": [1, 2, 3]}]})", R"({"cameras": []})", "[]", "{",
+       {R"({"cameras": [{"eye": [1, 2, 3]}]})",
+        R"({"cameras": [{"eye": [1, 2], "look_at": [0, 0, 0]}]})",
+        R"({"cameras": [{"eye": [1, 2, 3], "look_at": [1, 2, 3]}]})", R"({"cameras": []})", "[]",
+        "{",
         R"({"cameras": [{"eye": [1, 2, 3], "look_at": [0, 0, 0], "vertical_angle_deg": -4}]})"}) {
     EXPECT_THROW(read_cameras(file_with(text)), InputError) << text;
   }

@@ -34,7 +34,8 @@ TEST(FalseColour, ColourSaysTheLight) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1) << x;
   }
   config.logarithmic = false;
-  EXPECT_EQ(false_coloured(ramp(), "lx", config).at(300, 100)[0], scale_colour((1000.0 - 1.0) / 9999.0)[0]);
+  EXPECT_EQ(false_coloured(ramp(), "lx", config).at(300, 100)[0],
+            scale_colour((1000.0 - 1.0) / 9999.0)[0]);
 }
 
 TEST(FalseColour, FindsItsScale) {

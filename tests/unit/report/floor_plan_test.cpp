@@ -24,7 +24,8 @@ TEST(FloorPlan, CellsHaveTheColourOfTheRankWithMostOfThem) {
   EXPECT_THAT(plans[0].svg, HasSubstr("class=\"cell\" fill=\"" + rank_colour(1)));
   EXPECT_THAT(plans[0].svg, HasSubstr("class=\"cell\" fill=\"" + rank_colour(2)));
   EXPECT_THAT(plans[0].svg, Not(HasSubstr("class=\"cell\" fill=\"" + rank_colour(0))));
-  EXPECT_THAT(plans[0].svg, HasSubstr("cluster 1, rank 0")) << "the lamp of room 0 has a dot of its own";
+  EXPECT_THAT(plans[0].svg, HasSubstr("cluster 1, rank 0"))
+      << "the lamp of room 0 has a dot of its own";
 }
 
 TEST(FloorPlan, CellsAreCutWhereTheirPlaneIs) {

@@ -63,8 +63,11 @@ TEST(HtmlReport, IsOnePageThatNeedsNothingElse) {
 }
 
 TEST(HtmlReport, Base64PadsItsEnd) {
-  for (const auto& [bytes, text] : {std::pair<const char*, const char*>{"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"},
-                                    {"foob", "Zm9vYg=="}, {"\xff\xfe\xfd", "//79"}}) {
+  for (const auto& [bytes, text] : {std::pair<const char*, const char*>{"f", "Zg=="},
+                                    {"fo", "Zm8="},
+                                    {"foo", "Zm9v"},
+                                    {"foob", "Zm9vYg=="},
+                                    {"\xff\xfe\xfd", "//79"}}) {
     RunPage run = page("x", 1);
     run.pictures.push_back({"p", bytes});
     EXPECT_THAT(report_html(std::span(&run, 1)), HasSubstr(std::string("base64,") + text + "\""));
@@ -94,8 +97,11 @@ TEST(HtmlReport, ComparesSeveralRuns) {
   const std::string html = report_html(runs);
   EXPECT_THAT(html, HasSubstr("2 runs"));
   EXPECT_THAT(html, HasSubstr("<th class=\"n\">four</th>"));
-  EXPECT_THAT(html, HasSubstr("<tr><th>ranks</th><td class=\"n\">1</td><td class=\"n\">4</td></tr>"));
-  EXPECT_THAT(html, HasSubstr("<tr><th>steals</th><td class=\"n\">&ndash;</td><td class=\"n\">17</td></tr>"));
+  EXPECT_THAT(html,
+              HasSubstr("<tr><th>ranks</th><td class=\"n\">1</td><td class=\"n\">4</td></tr>"));
+  EXPECT_THAT(
+      html,
+      HasSubstr("<tr><th>steals</th><td class=\"n\">&ndash;</td><td class=\"n\">17</td></tr>"));
   EXPECT_TRUE(well_formed(html));
 }
 

@@ -1,5 +1,5 @@
-// Two rooms in a row, each 4 m x 5 m x 3 m with walls 0.2 m thick between them and around, one lamp below each
-// ceiling, and light that the tests choose.
+// Two rooms in a row, each 4 m x 5 m x 3 m with walls 0.2 m thick between them and around, one lamp
+// below each ceiling, and light that the tests choose.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,12 @@ inline std::vector<Polygon> box_faces(const Vec3& lo, const Vec3& hi, bool inwar
   const auto p = [&](int x, int y, int z) {
     return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
   };
-  std::vector<Polygon> faces{
-      {p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)}, {p(0, 0, 1), p(0, 1, 1), p(1, 1, 1), p(1, 0, 1)},
-      {p(0, 0, 0), p(0, 0, 1), p(1, 0, 1), p(1, 0, 0)}, {p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1)},
-      {p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1)}, {p(1, 0, 0), p(1, 0, 1), p(1, 1, 1), p(1, 1, 0)}};
+  std::vector<Polygon> faces{{p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)},
+                             {p(0, 0, 1), p(0, 1, 1), p(1, 1, 1), p(1, 0, 1)},
+                             {p(0, 0, 0), p(0, 0, 1), p(1, 0, 1), p(1, 0, 0)},
+                             {p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1)},
+                             {p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1)},
+                             {p(1, 0, 0), p(1, 0, 1), p(1, 1, 1), p(1, 1, 0)}};
   // As written they look inward: the floor's vertices run counter-clockwise seen from above.
   if (!inward) {
     for (Polygon& f : faces) std::reverse(f.begin(), f.end());
@@ -35,8 +37,8 @@ struct LitRooms {
   std::vector<ClusterState> states;
   std::unique_ptr<Occluders> occluders;
 
-  /// `rooms` rooms along x, in cells 0, 1, ..; the shell around them is in no cell. Surfaces per room: floor,
-  /// ceiling, four walls, lamp.
+  /// `rooms` rooms along x, in cells 0, 1, ..; the shell around them is in no cell. Surfaces per
+  /// room: floor, ceiling, four walls, lamp.
   explicit LitRooms(int rooms = 1, int bands = 1, Basis basis = Basis::linear) {
     scene.bands = bands;
     scene.unit = ExitanceUnit::lumen_per_m2;
@@ -53,16 +55,18 @@ struct LitRooms {
   void subdivide(double area_m2) {
     for (ClusterState& s : states) {
       for (std::size_t i = 0; i < s.patches().size(); ++i) {
-        if (s.patches().node(i).leaf() && s.patches().node(i).shape.area_m2 > area_m2) s.patches().subdivide(i);
+        if (s.patches().node(i).leaf() && s.patches().node(i).shape.area_m2 > area_m2)
+          s.patches().subdivide(i);
       }
     }
   }
-  /// Irradiance of each leaf = `light` at its centroid, in all bands, with its gradient where the basis has one;
-  /// the shell gets none.
+  /// Irradiance of each leaf = `light` at its centroid, in all bands, with its gradient where the
+  /// basis has one; the shell gets none.
   void set_irradiance(const std::function<double(const Vec3&)>& light) {
     for (ClusterState& s : states) {
       PatchForest& f = s.patches();
-      const std::size_t terms = static_cast<std::size_t>(f.terms()), bands = static_cast<std::size_t>(f.bands());
+      const std::size_t terms = static_cast<std::size_t>(f.terms()),
+                        bands = static_cast<std::size_t>(f.bands());
       std::vector<double> gathered(f.size() * bands * terms, 0.0);
       for (std::size_t i = 0; s.cell().valid() && i < f.size(); ++i) {
         if (!f.node(i).leaf()) continue;
@@ -88,7 +92,8 @@ struct LitRooms {
     add_cluster(CellId(r), {{{x + 1.5, 2, z}, {x + 1.5, 3, z}, {x + 2.5, 3, z}, {x + 2.5, 2, z}}},
                 "lamp " + std::to_string(r), 100.0);
   }
-  void add_cluster(CellId cell, const std::vector<Polygon>& faces, const std::string& object, double exitance = 0.0) {
+  void add_cluster(CellId cell, const std::vector<Polygon>& faces, const std::string& object,
+                   double exitance = 0.0) {
     Cluster cluster;
     cluster.id = ClusterId(clusters.size());
     cluster.cell = cell;

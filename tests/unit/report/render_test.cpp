@@ -82,7 +82,8 @@ TEST(Render, BacksAreBlackButThere) {
   LitRooms rooms;
   rooms.set_irradiance([](const Vec3&) { return 50.0; });
   // Between ceiling and lamp, looking down on the lamp's back.
-  const LightImage image = render(rooms.solved(), looking({2, 2.5, 2.99}, {2, 2.6, 2.9}), small(4, 4));
+  const LightImage image =
+      render(rooms.solved(), looking({2, 2.5, 2.99}, {2, 2.6, 2.9}), small(4, 4));
   EXPECT_EQ(pixel(image, 1, 1).cover, 1.0f);
   EXPECT_EQ(pixel(image, 1, 1).radiosity[0], 0.0f);
 }
@@ -153,7 +154,8 @@ TEST(Render, SmoothLightKeepsSlopesAndMeans) {
 TEST(Render, BandsBecomeColours) {
   EXPECT_EQ(display_rgb(std::vector<double>{4.0}), (std::array<double, 3>{4, 4, 4}));
   EXPECT_EQ(display_rgb(std::vector<double>{1, 2, 3}), (std::array<double, 3>{1, 2, 3}));
-  EXPECT_EQ(display_rgb(std::vector<double>{1, 3, 4, 6, 10, 20}), (std::array<double, 3>{2, 5, 15}));
+  EXPECT_EQ(display_rgb(std::vector<double>{1, 3, 4, 6, 10, 20}),
+            (std::array<double, 3>{2, 5, 15}));
 }
 
 }  // namespace

@@ -21,7 +21,9 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-nlohmann::json json_of(const std::string& glb) { return nlohmann::json::parse(glb.substr(20, word(glb, 12))); }
+nlohmann::json json_of(const std::string& glb) {
+  return nlohmann::json::parse(glb.substr(20, word(glb, 12)));
+}
 
 LitRooms sloped_light() {
   LitRooms rooms(2, 3);
@@ -57,7 +59,8 @@ TEST(SolutionGlb, SaysWhatItHolds) {
 }
 
 /// The importer's own idea of where each mesh stands.
-void collect(const aiNode* node, const aiMatrix4x4& parent, std::vector<std::pair<unsigned, aiMatrix4x4>>& found) {
+void collect(const aiNode* node, const aiMatrix4x4& parent,
+             std::vector<std::pair<unsigned, aiMatrix4x4>>& found) {
   const aiMatrix4x4 here = parent * node->mTransformation;
   for (unsigned i = 0; i < node->mNumMeshes; ++i) found.emplace_back(node->mMeshes[i], here);
   for (unsigned i = 0; i < node->mNumChildren; ++i) collect(node->mChildren[i], here, found);
@@ -67,15 +70,17 @@ TEST(SolutionGlb, AnImporterFindsTheBuilding) {
   const LitRooms rooms = sloped_light();
   const std::string glb = solution_glb(rooms.solved());
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(glb.data(), glb.size(), aiProcess_ValidateDataStructure, "glb");
+  const aiScene* scene =
+      importer.ReadFileFromMemory(glb.data(), glb.size(), aiProcess_ValidateDataStructure, "glb");
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
   std::vector<std::pair<unsigned, aiMatrix4x4>> meshes;
   collect(scene->mRootNode, aiMatrix4x4(), meshes);
   ASSERT_EQ(meshes.size(), rooms.clusters.size());
   for (const auto& [index, transform] : meshes) {
     const aiMesh& mesh = *scene->mMeshes[index];
-    const auto cluster = std::find_if(rooms.clusters.begin(), rooms.clusters.end(),
-                                      [&](const Cluster& c) { return c.object == mesh.mName.C_Str(); });
+    const auto cluster =
+        std::find_if(rooms.clusters.begin(), rooms.clusters.end(),
+                     [&](const Cluster& c) { return c.object == mesh.mName.C_Str(); });
     ASSERT_NE(cluster, rooms.clusters.end()) << mesh.mName.C_Str();
     double area = 0.0;
     Box box;
@@ -131,7 +136,8 @@ TEST(SolutionGlb, NeighbouringPatchesShareTheirCorners) {
     return n;
   };
   EXPECT_EQ(positions(solution_glb(rooms.solved())), 6u * 4 + 4 + 6 * 4);
-  rooms.subdivide(12.0);  // floor and ceiling (20 m2), the long walls (15 m2), as the shell's: two halves each
+  rooms.subdivide(
+      12.0);  // floor and ceiling (20 m2), the long walls (15 m2), as the shell's: two halves each
   EXPECT_EQ(positions(solution_glb(rooms.solved())), 4u * 6 + 2 * 4 + 4 + 5 * 6 + 1 * 6);
 }
 

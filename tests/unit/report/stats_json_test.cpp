@@ -63,22 +63,25 @@ TEST(StatsJson, HistoryOwnersAndWarningsMayBeMissing) {
 }
 
 TEST(StatsJson, ReadsTheHistory) {
-  const auto history =
-      read_history(file_with("history.json", R"([{"iteration": 1, "links": 10}, {"iteration": 2, "links": 30}])"));
+  const auto history = read_history(file_with(
+      "history.json", R"([{"iteration": 1, "links": 10}, {"iteration": 2, "links": 30}])"));
   ASSERT_EQ(history.size(), 2u);
   EXPECT_EQ(history[1].number("links", 0.0), 30.0);
   EXPECT_THROW(read_history(file_with("bad.json", R"({"iteration": 1})")), InputError);
 }
 
 TEST(StatsJson, ReadsOwnersAndLines) {
-  EXPECT_EQ(read_owners(file_with("owners.json", "[0, 3, 1]")), (std::vector<Rank>{Rank{0}, Rank{3}, Rank{1}}));
-  EXPECT_EQ(read_lines(file_with("lines.json", R"(["one", "two"])")), (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(read_owners(file_with("owners.json", "[0, 3, 1]")),
+            (std::vector<Rank>{Rank{0}, Rank{3}, Rank{1}}));
+  EXPECT_EQ(read_lines(file_with("lines.json", R"(["one", "two"])")),
+            (std::vector<std::string>{"one", "two"}));
   EXPECT_THROW(read_owners(file_with("owners.json", "[-1]")), InputError);
 }
 
 TEST(StatsJson, FindsTheScenesLicenceAtTheTopOnly) {
   const auto lines = read_attribution(file_with(
-      "scene.json", R"({"source": "A house", "surfaces": [{"licence": "no"}], "licence": "CC BY 4.0", "units": "m"})"));
+      "scene.json",
+      R"({"source": "A house", "surfaces": [{"licence": "no"}], "licence": "CC BY 4.0", "units": "m"})"));
   EXPECT_EQ(lines, (std::vector<std::string>{"source: A house", "licence: CC BY 4.0"}));
 }
 

@@ -21,8 +21,9 @@ TEST(SurfacesCsv, HasOneLineASurfaceAndNamesTheUnit) {
   test::LitRooms rooms(1, 2);
   const auto lines = lines_of(surfaces_csv(rooms.solved()));
   ASSERT_EQ(lines.size(), 1 + rooms.scene.surfaces.size());
-  EXPECT_EQ(lines[0], "surface,name,object,area_m2,mean_irradiance_0 [lx],mean_irradiance_1 [lx],"
-                      "mean_radiosity_0 [lm/m2],mean_radiosity_1 [lm/m2]");
+  EXPECT_EQ(lines[0],
+            "surface,name,object,area_m2,mean_irradiance_0 [lx],mean_irradiance_1 [lx],"
+            "mean_radiosity_0 [lm/m2],mean_radiosity_1 [lm/m2]");
 }
 
 TEST(SurfacesCsv, MeansAreByArea) {

@@ -29,8 +29,8 @@ TEST(Cycle, VisitsEveryClusterOnce) {
   for (std::uint32_t n : {1u, 2u, 3u, 4u, 5u, 9u, 40u, 300u}) {
     const ClusterGraph graph = test::random_graph(n, 0.2, n);
     const VisibilityCost cost(graph, test::random_bytes(n, 1), plenty);
-    for (TourOrder order : {TourOrder::travelling_salesman, TourOrder::greedy, TourOrder::random,
-                            TourOrder::input}) {
+    for (TourOrder order :
+         {TourOrder::travelling_salesman, TourOrder::greedy, TourOrder::random, TourOrder::input}) {
       const Cycle c = cycle(test::all_clusters(graph), cost, order);
       auto sorted = c.order();
       std::sort(sorted.begin(), sorted.end());
@@ -38,9 +38,10 @@ TEST(Cycle, VisitsEveryClusterOnce) {
       EXPECT_EQ(c.cost_bytes(), test::round_cost(c.order(), cost));
     }
   }
-  EXPECT_TRUE(Cycle({}, VisibilityCost(ClusterGraph(0, {}), {}, 1), TourOrder::travelling_salesman, 1)
-                  .order()
-                  .empty());
+  EXPECT_TRUE(
+      Cycle({}, VisibilityCost(ClusterGraph(0, {}), {}, 1), TourOrder::travelling_salesman, 1)
+          .order()
+          .empty());
 }
 
 TEST(Cycle, VisitsASubsetOfTheGraph) {
@@ -73,8 +74,9 @@ TEST(Cycle, IsNearTheOptimumWhenMemoryIsTight) {
     const ClusterGraph graph = test::random_graph(8, 0.5, seed);
     const VisibilityCost cost(graph, test::random_bytes(8, seed), 12000);
     const auto clusters = test::all_clusters(graph);
-    EXPECT_LE(static_cast<double>(cycle(clusters, cost, TourOrder::travelling_salesman).cost_bytes()),
-              1.05 * static_cast<double>(optimum(clusters, cost)));
+    EXPECT_LE(
+        static_cast<double>(cycle(clusters, cost, TourOrder::travelling_salesman).cost_bytes()),
+        1.05 * static_cast<double>(optimum(clusters, cost)));
   }
 }
 

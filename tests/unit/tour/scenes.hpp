@@ -24,9 +24,10 @@ inline ClusterGraph random_graph(std::uint32_t nodes, double probability, std::u
   return ClusterGraph(nodes, pairs);
 }
 
-/// Rooms in a row whose clusters' ids are shuffled over the building; each cluster sees its room and half of
-/// the next one.
-inline ClusterGraph shuffled_rooms(std::uint32_t rooms, std::uint32_t clusters_a_room, std::uint64_t seed) {
+/// Rooms in a row whose clusters' ids are shuffled over the building; each cluster sees its room
+/// and half of the next one.
+inline ClusterGraph shuffled_rooms(std::uint32_t rooms, std::uint32_t clusters_a_room,
+                                   std::uint64_t seed) {
   Random random(seed);
   const std::uint32_t n = rooms * clusters_a_room;
   std::vector<std::uint32_t> name(n);
@@ -36,7 +37,8 @@ inline ClusterGraph shuffled_rooms(std::uint32_t rooms, std::uint32_t clusters_a
   for (std::uint32_t a = 0; a < n; ++a) {
     for (std::uint32_t b = a + 1; b < n; ++b) {
       const std::uint32_t apart = b / clusters_a_room - a / clusters_a_room;
-      if (apart == 0 || (apart == 1 && random.uniform() < 0.5)) pairs.emplace_back(name[a], name[b]);
+      if (apart == 0 || (apart == 1 && random.uniform() < 0.5))
+        pairs.emplace_back(name[a], name[b]);
     }
   }
   return ClusterGraph(n, pairs);

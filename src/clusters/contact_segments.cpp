@@ -1,0 +1,139 @@
+#include "clusters/contact_segments.hpp"
+
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <optional>
+
+namespace enfilade {
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using TreeBox = bg::model::box<TreePoint>;
+using TreeEntry = std::pair<TreeBox, std::uint32_t>;
+
+TreeBox tree_box(const Box& b, double grow) {
+  return {{b.lo.x - grow, b.lo.y - grow, b.lo.z - grow},
+          {b.hi.x + grow, b.hi.y + grow, b.hi.z + grow}};
+}
+
+/// Planes through the edges at right angles to the polygon, looking inward.
+std::vector<Plane> inward_planes(const Polygon& polygon, const Vec3& n) {
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 in = glm::cross(n, polygon[(i + 1) % polygon.size()] - polygon[i]);
+    const double length = glm::length(in);
+    if (length > 0.0) planes.push_back({in / length, glm::dot(in / length, polygon[i])});
+  }
+  return planes;
+}
+
+/// What of the segment lies in front of all planes; none where it only runs along one of them.
+std::optional<Segment> clip(Segment s, const std::vector<Plane>& planes, double tolerance_m,
+                            double min_length_m) {
+  for (const Plane& plane : planes) {
+    const double da = plane.signed_distance(s.a), db = plane.signed_distance(s.b);
+    if (std::max(da, db) <= tolerance_m) return std::nullopt;
+    if (da < 0.0) s.a += (s.b - s.a) * (da / (da - db));
+    if (db < 0.0) s.b += (s.a - s.b) * (db / (db - da));
+  }
+  if (s.length_m() < min_length_m) return std::nullopt;
+  return s;
+}
+
+bool same(const Segment& s, const Segment& t, double tolerance_m) {
+  const auto close = [&](const Vec3& p, const Vec3& q) {
+    return glm::length(p - q) <= tolerance_m;
+  };
+  return (close(s.a, t.a) && close(s.b, t.b)) || (close(s.a, t.b) && close(s.b, t.a));
+}
+
+}  // namespace
+
+struct ContactSegments::Impl {
+  std::span<const Polygon* const> polygons;
+  double tolerance_m, min_length_m;
+  std::vector<Box> boxes;
+  bg::index::rtree<TreeEntry, bg::index::rstar<16>> tree;
+
+  void add(const Polygon& other, const Plane& plane, std::vector<Segment>& found) const;
+};
+
+/// The other polygon's edges in the plane, or else the line in which it crosses it.
+void ContactSegments::Impl::add(const Polygon& other, const Plane& plane,
+                                std::vector<Segment>& found) const {
+  std::vector<double> distance;
+  bool above = false, below = false;
+  for (const Vec3& p : other) {
+    const double d = plane.signed_distance(p);
+    distance.push_back(std::abs(d) <= tolerance_m ? 0.0 : d);
+    above |= distance.back() > 0.0;
+    below |= distance.back() < 0.0;
+  }
+  std::vector<Vec3> crossing;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    const std::size_t j = (i + 1) % other.size();
+    if (distance[i] == 0.0) crossing.push_back(other[i]);
+    if (distance[i] == 0.0 && distance[j] == 0.0 && !(above && below)) {
+      found.push_back({other[i], other[j]});
+    }
+    if (distance[i] * distance[j] < 0.0) {
+      const double t = distance[i] / (distance[i] - distance[j]);
+      crossing.push_back(other[i] + t * (other[j] - other[i]));
+    }
+  }
+  // A convex polygon crosses a plane in one segment.
+  if (above && below && crossing.size() >= 2) found.push_back({crossing.front(), crossing.back()});
+}
+
+ContactSegments::ContactSegments(std::span<const Polygon* const> polygons, double tolerance_m,
+                                 double min_length_m)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->polygons = polygons;
+  impl_->tolerance_m = tolerance_m;
+  impl_->min_length_m = min_length_m;
+  std::vector<TreeEntry> entries;
+  for (std::uint32_t i = 0; i < polygons.size(); ++i) {
+    impl_->boxes.push_back(bounds(*polygons[i]));
+    entries.emplace_back(tree_box(impl_->boxes.back(), 0.0), i);
+  }
+  impl_->tree = decltype(impl_->tree)(entries.begin(), entries.end());
+}
+
+ContactSegments::~ContactSegments() = default;
+
+std::vector<Segment> ContactSegments::inside(std::size_t i) const {
+  const Polygon& polygon = *impl_->polygons[i];
+  const Plane plane = plane_of(polygon);
+  std::vector<std::uint32_t> near;
+  const auto touching = bg::index::intersects(tree_box(impl_->boxes[i], impl_->tolerance_m));
+  for (auto it = impl_->tree.qbegin(touching); it != impl_->tree.qend(); ++it) {
+    if (it->second != i) near.push_back(it->second);
+  }
+  std::sort(near.begin(), near.end());  // the tree's order is nobody's business
+  std::vector<Segment> all;
+  for (const std::uint32_t j : near) impl_->add(*impl_->polygons[j], plane, all);
+
+  const std::vector<Plane> planes = inward_planes(polygon, plane.n);
+  std::vector<Segment> clipped;
+  for (const Segment& s : all) {
+    const auto part = clip(s, planes, impl_->tolerance_m, impl_->min_length_m);
+    if (part) clipped.push_back(*part);
+  }
+  std::stable_sort(clipped.begin(), clipped.end(),
+                   [](const Segment& s, const Segment& t) { return s.length_m() > t.length_m(); });
+  std::vector<Segment> distinct;
+  for (const Segment& s : clipped) {
+    bool known = false;  // only segments of the same length can be the same
+    for (std::size_t k = distinct.size(); k-- > 0 && !known;) {
+      if (distinct[k].length_m() > s.length_m() + 2.0 * impl_->tolerance_m) break;
+      known = same(distinct[k], s, impl_->tolerance_m);
+    }
+    if (!known) distinct.push_back(s);
+  }
+  return distinct;
+}
+
+}  // namespace enfilade

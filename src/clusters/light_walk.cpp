@@ -1,0 +1,79 @@
+#include "clusters/light_walk.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace enfilade {
+namespace {
+
+RayScene rays_of(std::span<const CellPiece> pieces) {
+  std::vector<Polygon> polygons;
+  polygons.reserve(pieces.size());
+  for (const CellPiece& piece : pieces) polygons.push_back(piece.piece.polygon);
+  return RayScene(polygons);
+}
+
+/// A direction of the hemisphere above n, cosine-weighted.
+Vec3 cosine_direction(const Vec3& n, Random& random) {
+  const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 u = glm::normalize(glm::cross(helper, n));
+  const double square = random.uniform(), r = std::sqrt(square);
+  const double phi = 2.0 * std::numbers::pi * random.uniform();
+  return r * std::cos(phi) * u + r * std::sin(phi) * glm::cross(n, u) +
+         std::sqrt(1.0 - square) * n;
+}
+
+}  // namespace
+
+LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
+                     int max_bounces)
+    : lights_(scene.lights),
+      offset_m_(offset_m),
+      max_bounces_(max_bounces),
+      rays_(rays_of(pieces)) {
+  faces_.reserve(pieces.size());
+  for (const CellPiece& piece : pieces) {
+    const Surface& surface = scene.surfaces[piece.piece.surface.index()];
+    const bool emits = std::any_of(surface.exitance.begin(), surface.exitance.end(),
+                                   [](double e) { return e > 0.0; });
+    faces_.push_back({normal(piece.piece.polygon), emits, surface.two_sided});
+  }
+}
+
+bool LightWalk::finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const {
+  for (int i = 0; i < walks; ++i) {
+    if (one_walk(p, n, random)) return true;
+  }
+  return false;
+}
+
+bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
+  for (int bounce = 0; bounce < max_bounces_; ++bounce) {
+    p += offset_m_ * n;
+    if (sees_point_light(p, n, random)) return true;
+    const Vec3 d = cosine_direction(n, random);
+    RayHit hit = rays_.closest(p, d);
+    if (!hit.any()) return false;
+    bool front = hit.front || faces_[hit.polygon].two_sided;
+    if (!front) {
+      // The front of another polygon may lie in the same place: a wall without thickness.
+      const RayHit twin = rays_.closest(p, d, hit.polygon, hit.distance_m + offset_m_);
+      front = twin.any() && twin.front;
+      if (front) hit = twin;
+    }
+    if (!front) return false;
+    if (faces_[hit.polygon].emits) return true;
+    p += hit.distance_m * d;
+    n = hit.front ? faces_[hit.polygon].n : -faces_[hit.polygon].n;
+  }
+  return true;
+}
+
+/// One of the lights, drawn by lot: many walks of many steps ask.
+bool LightWalk::sees_point_light(const Vec3& p, const Vec3& n, Random& random) const {
+  if (lights_.empty()) return false;
+  const Vec3& light = lights_[random.below(lights_.size())].p;
+  return glm::dot(light - p, n) > 0.0 && !rays_.occluded(p, light);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,39 @@
+// Can light get to a point? Random walks from it that end on black backs, in the open, or on light.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/random.hpp"
+#include "cells/cell_complex.hpp"
+#include "raycast/ray_scene.hpp"
+#include "scene/scene.hpp"
+
+namespace enfilade {
+
+class LightWalk {
+ public:
+  /// Walks start and go on `offset_m` in front of a polygon. One that is still on its way after
+  /// `max_bounces` counts as having found light: in a room nothing is black, in a solid nearly all.
+  LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
+            int max_bounces);
+
+  /// Does any of `walks` walks from p, on a plane with unit normal n, find light?
+  bool finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const;
+
+ private:
+  bool one_walk(Vec3 p, Vec3 n, Random& random) const;
+  bool sees_point_light(const Vec3& p, const Vec3& n, Random& random) const;
+
+  struct Face {
+    Vec3 n;
+    bool emits, two_sided;
+  };
+  std::span<const PointLight> lights_;
+  double offset_m_;
+  int max_bounces_;
+  std::vector<Face> faces_;
+  RayScene rays_;
+};
+
+}  // namespace enfilade
