@@ -28,6 +28,7 @@ Vec3 cosine_direction(const Vec3& n, Random& random) {
 LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
                      int max_bounces)
     : lights_(scene.lights),
+      pieces_(pieces),
       offset_m_(offset_m),
       max_bounces_(max_bounces),
       rays_(rays_of(pieces)) {
@@ -36,6 +37,7 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
     const Surface& surface = scene.surfaces[piece.piece.surface.index()];
     const bool emits = std::any_of(surface.exitance.begin(), surface.exitance.end(),
                                    [](double e) { return e > 0.0; });
+    if (emits) emitters_.push_back(static_cast<std::uint32_t>(faces_.size()));
     faces_.push_back({normal(piece.piece.polygon), emits, surface.two_sided});
   }
 }
@@ -50,7 +52,7 @@ bool LightWalk::finds_light(const Vec3& p, const Vec3& n, int walks, Random& ran
 bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
   for (int bounce = 0; bounce < max_bounces_; ++bounce) {
     p += offset_m_ * n;
-    if (sees_point_light(p, n, random)) return true;
+    if (sees_light(p, n, random)) return true;
     const Vec3 d = cosine_direction(n, random);
     RayHit hit = rays_.closest(p, d);
     if (!hit.any()) return false;
@@ -66,14 +68,30 @@ bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
     p += hit.distance_m * d;
     n = hit.front ? faces_[hit.polygon].n : -faces_[hit.polygon].n;
   }
-  return true;
+  return false;
 }
 
-/// One of the lights, drawn by lot: many walks of many steps ask.
-bool LightWalk::sees_point_light(const Vec3& p, const Vec3& n, Random& random) const {
-  if (lights_.empty()) return false;
-  const Vec3& light = lights_[random.below(lights_.size())].p;
+/// Many walks of many steps ask, so that one light at a time is enough.
+bool LightWalk::sees_light(const Vec3& p, const Vec3& n, Random& random) const {
+  const std::size_t count = lights_.size() + emitters_.size();
+  if (count == 0) return false;
+  const std::size_t i = random.below(count);
+  return i < lights_.size() ? sees_point_light(p, n, lights_[i].p)
+                            : sees_emitter(p, n, emitters_[i - lights_.size()], random);
+}
+
+bool LightWalk::sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light) const {
   return glm::dot(light - p, n) > 0.0 && !rays_.occluded(p, light);
+}
+
+bool LightWalk::sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter,
+                             Random& random) const {
+  const Polygon& polygon = pieces_[emitter].piece.polygon;
+  const std::size_t k = 2 + random.below(polygon.size() - 2);
+  const double u = std::sqrt(random.uniform()), v = random.uniform();
+  const Vec3 q = (1.0 - u) * polygon[0] + u * ((1.0 - v) * polygon[k - 1] + v * polygon[k]);
+  if (glm::dot(q - p, n) <= 0.0 || glm::dot(p - q, faces_[emitter].n) <= 0.0) return false;
+  return !rays_.occluded(p, q, RayScene::no_polygon, emitter);
 }
 
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-// Can light get to a point? Random walks from it that end on black backs, in the open, or on light.
+// Can light get to a point? Random walks from it that end on black backs, in the open, or at light.
 #pragma once
 
 #include <span>
@@ -11,10 +11,11 @@
 
 namespace enfilade {
 
+/// Holds on to the lights and the pieces, which must outlive it.
 class LightWalk {
  public:
-  /// Walks start and go on `offset_m` in front of a polygon. One that is still on its way after
-  /// `max_bounces` counts as having found light: in a room nothing is black, in a solid nearly all.
+  /// Walks start and go on `offset_m` in front of a polygon, and look at a light drawn by lot at
+  /// every step; one that has seen none after `max_bounces` gives up.
   LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
             int max_bounces);
 
@@ -23,16 +24,20 @@ class LightWalk {
 
  private:
   bool one_walk(Vec3 p, Vec3 n, Random& random) const;
-  bool sees_point_light(const Vec3& p, const Vec3& n, Random& random) const;
+  bool sees_light(const Vec3& p, const Vec3& n, Random& random) const;
+  bool sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light) const;
+  bool sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter, Random& random) const;
 
   struct Face {
     Vec3 n;
     bool emits, two_sided;
   };
   std::span<const PointLight> lights_;
+  std::span<const CellPiece> pieces_;
   double offset_m_;
   int max_bounces_;
   std::vector<Face> faces_;
+  std::vector<std::uint32_t> emitters_;
   RayScene rays_;
 };
 

@@ -12,7 +12,7 @@ namespace enfilade {
 
 struct SealedConfig {
   int walks = 32;                     ///< random walks that must find no light in a sealed part
-  int max_bounces = 24;               ///< a walk that goes on longer counts as lit
+  int max_bounces = 64;               ///< a walk that finds none in so many steps gives up
   std::size_t max_parts = 128;        ///< a piece is cut into at most this many
   double min_length_relative = 5e-4;  ///< shorter contacts do not cut, relative to the diagonal
   std::uint64_t seed = 1;

@@ -45,6 +45,9 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> off
         if (own.empty()) return;
         state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
       });
+  // What is refined must not depend on the ranks' number and speeds, so it is decided by committed light alone.
+  // Light then spreads as with Jacobi, which the coarse correction makes up for.
+  resident_.set_committed_only(config_.same_on_any_ranks && plan.refine);
   gather_config_.iteration = plan.iteration;
   gather_config_.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;

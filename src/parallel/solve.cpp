@@ -89,7 +89,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                             memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
   TaskList tasks(own, cost, config.order, config.seed);
   RadiosityWork work(prepared, layout, communicator.rank(), machine,
-                     {basis, config.max_depth, config.min_area_m2, memory});
+                     {basis, config.max_depth, config.min_area_m2, memory,
+                      config.coarse_correction});
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
                                    8 * work.most_coarse_numbers());

@@ -238,6 +238,18 @@ ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const 
   }
 }
 
+ClusterState ClusterState::shooter() const {
+  ClusterState copy;
+  copy.id_ = id_;
+  copy.cell_ = cell_;
+  copy.bands_ = bands_;
+  copy.iteration_ = iteration_;
+  copy.basis_ = basis_;
+  copy.patches_ = patches_;
+  copy.links_ = LinkSet(links_.stride());
+  return copy;
+}
+
 void ClusterState::correct(std::span<const double> irradiance_offset) {
   patches_.offset(irradiance_offset);
 }

@@ -29,6 +29,8 @@ class ClusterState {
   ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
                std::span<const std::byte> links);
 
+  /// A copy of what others need of it: everything but the links.
+  ClusterState shooter() const;
   /// Adds a coarse correction to the irradiance (per band) of all patches, and what they reflect of it.
   void correct(std::span<const double> irradiance_offset);
   /// The iteration that it was last gathered for in; 0 = never.
@@ -49,6 +51,8 @@ class ClusterState {
   LinkSet& links() { return links_; }
 
  private:
+  ClusterState() = default;
+
   ClusterId id_;
   CellId cell_;
   int bands_ = 1;

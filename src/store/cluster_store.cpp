@@ -61,10 +61,14 @@ SectionFile ClusterStore::read_patches(ClusterId id) {
     const Slot slot = other(committed_slot());
     return read(Disk::local, RunLayout::patches(local_directory_, id, slot), id, Section::patches);
   }
-  SectionFile file = read(Disk::common, RunLayout::patches(layout_.common(), id, committed_slot()), id,
-                          Section::patches);
+  SectionFile file = read_committed_patches(id);
   links_slot_[id.index()] = file.info.links_slot;
   return file;
+}
+
+SectionFile ClusterStore::read_committed_patches(ClusterId id) {
+  return read(Disk::common, RunLayout::patches(layout_.common(), id, committed_slot()), id,
+              Section::patches);
 }
 
 SectionFile ClusterStore::read_links(ClusterId id) {

@@ -36,6 +36,8 @@ class ClusterStore {
   SectionFile read_geometry(ClusterId id);
   /// The newest patches that this rank may see.
   SectionFile read_patches(ClusterId id);
+  /// As the last iteration committed them, whatever this rank has written since.
+  SectionFile read_committed_patches(ClusterId id);
   /// The links that go with them; read_patches() or write() of this cluster must have come before.
   SectionFile read_links(ClusterId id);
 

@@ -49,6 +49,11 @@ void ResidentClusters::measure(Entry& entry) {
     shooter.bytes = entry.state->memory_bytes();
     shooter.bytes -= std::min(shooter.bytes, links.bytes);
     entry.shooter_bytes = machine_.record_bytes(shooter);
+    if (entry.previous) {
+      RecordCount previous = shooter_record(*entry.previous);
+      previous.bytes = entry.previous->memory_bytes();
+      entry.shooter_bytes += machine_.record_bytes(previous);
+    }
     entry.links_bytes = machine_.record_bytes(links);
   }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
@@ -97,12 +102,40 @@ void ResidentClusters::load_links(ClusterId id, Entry& entry) {
   measure(entry);
 }
 
-ResidentClusters::Entry& ResidentClusters::pin(ClusterId id) {
+ResidentClusters::Entry& ResidentClusters::hold(ClusterId id) {
   Entry& entry = entries_[id];
   if (!entry.pinned) {
     entry.pinned = true;
     pinned_.push_back(id);
   }
+  return entry;
+}
+
+void ResidentClusters::set_committed_only(bool committed_only) {
+  committed_only_ = committed_only;
+  for (auto& [id, entry] : entries_) {
+    if (!entry.previous) continue;
+    entry.previous.reset();
+    measure(entry);
+  }
+}
+
+/// The cluster as it was before this rank gathered for it in this iteration.
+const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
+  if (!entry.previous) {
+    const std::vector<std::byte> geometry =
+        entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
+    entry.previous = std::make_unique<ClusterState>(geometry, store_.read_committed_patches(id).bytes,
+                                                    std::span<const std::byte>());
+    if (correction_) correction_(*entry.previous);
+    if (!entry.state) load(id, entry);
+    measure(entry);
+  }
+  return *entry.previous;
+}
+
+ResidentClusters::Entry& ResidentClusters::pin(ClusterId id) {
+  Entry& entry = hold(id);
   load(id, entry);
   correct(entry);
   return entry;
@@ -111,11 +144,20 @@ ResidentClusters::Entry& ResidentClusters::pin(ClusterId id) {
 ClusterState& ResidentClusters::pin_receiver(ClusterId id) {
   Entry& entry = pin(id);
   if (!entry.has_links) load_links(id, entry);
+  if (committed_only_ && !store_.written(id)) {
+    entry.previous = std::make_unique<ClusterState>(entry.state->shooter());
+    measure(entry);
+  }
   evict(true);
   return *entry.state;
 }
 
 const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
+  if (committed_only_ && store_.written(id)) {
+    const ClusterState& state = committed(id, hold(id));
+    evict(true);
+    return state;
+  }
   Entry& entry = pin(id);
   evict(true);
   return *entry.state;
@@ -169,6 +211,7 @@ void ResidentClusters::evict(bool pressed) {
       drop_links(found->second);
     } else {
       found->second.state.reset();
+      found->second.previous.reset();
     }
     measure(found->second);
     if (!links) entries_.erase(found);

@@ -39,6 +39,10 @@ class ResidentClusters {
   /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
   void adopt(ClusterState state);
 
+  /// While `committed_only`, shooters are as the last iteration committed them, this rank's own included: what
+  /// is gathered then does not depend on who gathers it, or when.
+  void set_committed_only(bool committed_only);
+
   /// Both keep the cluster in memory until unpin(). References stay valid until then.
   ClusterState& pin_receiver(ClusterId id);
   const ClusterState& pin_shooter(ClusterId id);
@@ -55,6 +59,7 @@ class ResidentClusters {
  private:
   struct Entry {
     std::unique_ptr<ClusterState> state;
+    std::unique_ptr<ClusterState> previous;  ///< as committed, once it has been gathered for
     bool has_links = false, pinned = false, corrected = false;
     int iteration = 0;                   ///< that these patches are of
     std::uint64_t links_checksum = 0;    ///< of the links in the file
@@ -62,6 +67,8 @@ class ResidentClusters {
   };
   Entry& pin(ClusterId id);
   void load(ClusterId id, Entry& entry);
+  const ClusterState& committed(ClusterId id, Entry& entry);
+  Entry& hold(ClusterId id);
   void correct(Entry& entry);
   void load_links(ClusterId id, Entry& entry);
   void measure(Entry& entry);
@@ -72,6 +79,7 @@ class ResidentClusters {
   Machine& machine_;
   std::uint64_t budget_bytes_;
   NextUse next_use_;
+  bool committed_only_ = false;
   std::function<void(ClusterState&)> correction_;
   std::map<ClusterId, Entry> entries_;
   std::vector<ClusterId> pinned_;

@@ -361,7 +361,7 @@ class Simulated(InScratch):
     """The same command line on a simulated cluster."""
 
     def smpirun(self, ranks, *args):
-        command = [ROOT / "tools/smpirun.sh", str(ranks), os.environ["ENFILADE_SMPI"], *map(str, args)]
+        command = [ROOT / ".ci/smpirun.sh", str(ranks), os.environ["ENFILADE_SMPI"], *map(str, args)]
         return subprocess.run(command, capture_output=True, text=True, timeout=240, cwd=self.scratch)
 
     def solve(self, ranks, name):

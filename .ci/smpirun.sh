@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tools/smpirun.sh RANKS PROGRAM ARGUMENTS...: runs a program on the first RANKS hosts of a simulated cluster.
+# .ci/smpirun.sh RANKS PROGRAM ARGUMENTS...: runs a program on the first RANKS hosts of a simulated cluster.
 # PLATFORM and HOSTFILE choose another cluster than platforms/office.xml.
 set -euo pipefail
 ranks=$1
