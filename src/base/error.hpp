@@ -32,7 +32,7 @@ class RunError : public std::runtime_error {
 }  // namespace enfilade
 
 /// Always on. `operands` is a std::string with the values that broke the condition.
-#define ENFILADE_CHECK(condition, operands)                                        \
-  do {                                                                             \
+#define ENFILADE_CHECK(condition, operands)                                               \
+  do {                                                                                    \
     if (!(condition)) ::enfilade::check_failed(#condition, __FILE__, __LINE__, operands); \
   } while (false)

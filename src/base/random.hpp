@@ -5,7 +5,8 @@
 
 namespace enfilade {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): small, seedable from any integer, good enough for sampling.
+/// SplitMix64 (Steele, Lea, Flood 2014): small, seedable from any integer, good enough for
+/// sampling.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

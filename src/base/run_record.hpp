@@ -9,7 +9,8 @@
 
 namespace enfilade {
 
-/// Keys keep the order in which they were first set. Numbers are doubles or integers; NaN becomes null.
+/// Keys keep the order in which they were first set. Numbers are doubles or integers; NaN becomes
+/// null.
 class RunRecord {
  public:
   using Value = std::variant<double, std::int64_t, bool, std::string, std::vector<double>>;
@@ -17,8 +18,8 @@ class RunRecord {
   void set(const std::string& key, Value value);
   void set(const std::string& key, const char* word) { set(key, Value(std::string(word))); }
   template <class Integer>
-    requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>)
-  void set(const std::string& key, Integer n) {
+  requires(std::is_integral_v<Integer> &&
+           !std::is_same_v<Integer, bool>) void set(const std::string& key, Integer n) {
     set(key, Value(static_cast<std::int64_t>(n)));
   }
   const Value* find(const std::string& key) const;

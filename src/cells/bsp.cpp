@@ -27,9 +27,10 @@ struct Choice {
   Polygon section;
 };
 
-// The plane that hides the largest share of the region's cross-section along it. Each facing is summed by
-// itself, because the two faces of a thin wall cover the same ground.
-Choice most_occluding(const Job& job, const PlaneSet& planes, double min_occlusion, double tolerance) {
+// The plane that hides the largest share of the region's cross-section along it. Each facing is
+// summed by itself, because the two faces of a thin wall cover the same ground.
+Choice most_occluding(const Job& job, const PlaneSet& planes, double min_occlusion,
+                      double tolerance) {
   Choice best;
   const auto& all = job.fragments;
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
@@ -135,7 +136,8 @@ BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region 
     auto [front, behind] = split_region(job.region, node.plane, choice.section);
     jobs.push_back({node.back, std::move(behind), std::move(sides.behind)});
     jobs.push_back({node.front, std::move(front), std::move(sides.front)});
-    tree.cuts.push_back({job.node, choice.plane, std::move(choice.section), std::move(sides.in_plane)});
+    tree.cuts.push_back(
+        {job.node, choice.plane, std::move(choice.section), std::move(sides.in_plane)});
     tree.nodes.resize(tree.nodes.size() + 2);
   }
   return tree;

@@ -27,8 +27,8 @@ struct BspCut {
 };
 
 struct BspTree {
-  std::vector<BspNode> nodes;   ///< root first; at a leaf, `cell` is the leaf's number
-  std::vector<BspCut> cuts;     ///< one an inner node
+  std::vector<BspNode> nodes;  ///< root first; at a leaf, `cell` is the leaf's number
+  std::vector<BspCut> cuts;    ///< one an inner node
   std::vector<Region> leaves;
 };
 

@@ -1,4 +1,5 @@
-// From pieces to cells: planes, partition, interfaces, merging, portals; and what is of no use left out.
+// From pieces to cells: planes, partition, interfaces, merging, portals; and what is of no use left
+// out.
 #include <algorithm>
 #include <cmath>
 
@@ -60,7 +61,8 @@ std::int32_t copy_pruned(const std::vector<BspNode>& from, std::int32_t at,
   return here;
 }
 
-std::vector<BspNode> with_cells(const BspTree& tree, const std::vector<std::uint32_t>& cell_of_leaf) {
+std::vector<BspNode> with_cells(const BspTree& tree,
+                                const std::vector<std::uint32_t>& cell_of_leaf) {
   std::vector<BspNode> nodes = tree.nodes;
   for (BspNode& node : nodes) {
     if (node.front < 0) node.cell = CellId(cell_of_leaf[node.cell.index()]);
@@ -70,7 +72,8 @@ std::vector<BspNode> with_cells(const BspTree& tree, const std::vector<std::uint
   return pruned;
 }
 
-// Cells that hold nothing and lead nowhere are dropped, with their portals; returns old -> new numbers.
+// Cells that hold nothing and lead nowhere are dropped, with their portals; returns old -> new
+// numbers.
 std::vector<std::uint32_t> drop_useless(std::span<const Piece> pieces, const CellComplex& all,
                                         std::vector<Portal>& portals) {
   std::vector<char> keep(all.cells().size(), 0);
@@ -84,7 +87,8 @@ std::vector<std::uint32_t> drop_useless(std::span<const Piece> pieces, const Cel
     std::vector<std::uint32_t> leads_to(keep.size(), no_cell);
     std::vector<char> passage(keep.size(), 0);
     for (const Portal& portal : portals) {
-      for (const auto& [from, to] : {std::pair{portal.a, portal.b}, std::pair{portal.b, portal.a}}) {
+      for (const auto& [from, to] :
+           {std::pair{portal.a, portal.b}, std::pair{portal.b, portal.a}}) {
         std::uint32_t& first = leads_to[from.index()];
         if (first == no_cell) first = to.value;
         if (first != to.value) passage[from.index()] = 1;
@@ -97,7 +101,8 @@ std::vector<std::uint32_t> drop_useless(std::span<const Piece> pieces, const Cel
       keep[i] = 0;
       changed = true;
     }
-    std::erase_if(portals, [&](const Portal& p) { return !keep[p.a.index()] || !keep[p.b.index()]; });
+    std::erase_if(portals,
+                  [&](const Portal& p) { return !keep[p.a.index()] || !keep[p.b.index()]; });
   }
   std::vector<std::uint32_t> number(keep.size(), no_cell);
   std::uint32_t next = 0;

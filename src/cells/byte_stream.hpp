@@ -15,10 +15,8 @@ namespace enfilade {
 class ByteWriter {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void put(const T& value) {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
-  }
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
   void put_text(std::string_view text) {
     put(static_cast<std::uint64_t>(text.size()));
     bytes_.append(text);
@@ -39,8 +37,7 @@ class ByteReader {
   ByteReader(std::string_view bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}
 
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  T get() {
+  requires std::is_trivially_copyable_v<T> T get() {
     T value;
     std::memcpy(static_cast<void*>(&value), take(sizeof(T)).data(), sizeof(T));
     return value;

@@ -9,7 +9,9 @@ namespace {
 // A unit vector at right angles to n.
 Vec3 any_tangent(const Vec3& n) {
   const Vec3 a = glm::abs(n);
-  const Vec3 axis = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0) : a.y <= a.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  const Vec3 axis = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0)
+                    : a.y <= a.z             ? Vec3(0, 1, 0)
+                                             : Vec3(0, 0, 1);
   return glm::normalize(glm::cross(n, axis));
 }
 
@@ -142,8 +144,8 @@ Polygon convex_hull(std::vector<Vec3> points, const Vec3& n) {
   std::sort(flat.begin(), flat.end(), [](const auto& a, const auto& b) {
     return a.first.x < b.first.x || (a.first.x == b.first.x && a.first.y < b.first.y);
   });
-  // Andrew's monotone chain, without tolerance: in a column of points that rounding has put out of line a
-  // tolerance would take the turn back from its end for a straight line, and lose the end.
+  // Andrew's monotone chain, without tolerance: in a column of points that rounding has put out of
+  // line a tolerance would take the turn back from its end for a straight line, and lose the end.
   const auto left_turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
   };
@@ -160,8 +162,8 @@ Polygon convex_hull(std::vector<Vec3> points, const Vec3& n) {
     hull.pop_back();
     std::reverse(flat.begin(), flat.end());
   }
-  // Now what lies on a straight line between its neighbours can go: one at a time, so that of two vertices
-  // in one place only one goes.
+  // Now what lies on a straight line between its neighbours can go: one at a time, so that of two
+  // vertices in one place only one goes.
   for (std::size_t i = 0; i < hull.size() && hull.size() > 3;) {
     const Vec2 p = hull[i].first;
     const Vec2 to_before = hull[(i + hull.size() - 1) % hull.size()].first - p;

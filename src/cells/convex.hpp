@@ -1,4 +1,5 @@
-// Convex regions of space and convex polygons: the small geometry that the binary space partition is made of.
+// Convex regions of space and convex polygons: the small geometry that the binary space partition
+// is made of.
 #pragma once
 
 #include <array>
@@ -27,7 +28,8 @@ using Frame = std::array<Vec3, 3>;
 /// The smallest box along `axes` that holds all points, `margin` larger on every side.
 Region box_region(std::span<const Vec3> points, const Frame& axes, double margin);
 
-/// The plane's polygon inside the region, counter-clockwise seen from the plane's front; may be empty.
+/// The plane's polygon inside the region, counter-clockwise seen from the plane's front; may be
+/// empty.
 Polygon cross_section(const Region& region, const Plane& plane);
 
 /// The parts in front of and behind the plane; `section` is the region's cross-section there.

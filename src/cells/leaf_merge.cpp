@@ -19,13 +19,15 @@ struct Contact {
   double area = 0.0, open = 0.0;
 };
 
-// Leaves that belong together so far. A contact is filed under the plane side that this group is on.
+// Leaves that belong together so far. A contact is filed under the plane side that this group is
+// on.
 struct Group {
   double volume = 0.0, front = 0.0, back = 0.0;
   std::map<PlaneSide, double> faces;
   std::map<std::uint32_t, std::map<PlaneSide, Contact>> contacts;
 
-  // Real models show a room a wrong side here and there; the inside of a solid shows hardly anything else.
+  // Real models show a room a wrong side here and there; the inside of a solid shows hardly
+  // anything else.
   bool is_solid() const { return back > solid_ratio * front; }
   bool has_evidence() const { return back + front > 0.0; }
   double boundary() const {
@@ -97,7 +99,7 @@ class Merger {
       const auto [at, is_new] =
           number.try_emplace(group, static_cast<std::uint32_t>(out.kinds.size()));
       if (is_new) {
-        out.kinds.push_back(group == outside_group        ? CellKind::outside
+        out.kinds.push_back(group == outside_group      ? CellKind::outside
                             : groups_[group].is_solid() ? CellKind::solid
                                                         : CellKind::room);
       }
@@ -184,8 +186,7 @@ class Merger {
   // A thin group between others: its depth is its volume over its opening.
   bool is_connector(const Group& g) const {
     const double opening = g.largest_opening();
-    return opening > 0.0 &&
-           g.volume < config_.connector_depth * opening * std::sqrt(opening);
+    return opening > 0.0 && g.volume < config_.connector_depth * opening * std::sqrt(opening);
   }
 
   bool disagree(const Group& g, const Group& h) const {
@@ -213,7 +214,8 @@ class Merger {
     const Group& nook = g_is_smaller ? g : h;
     const double own = open / (g_is_smaller ? g_face : h_face);
     const double depth = nook.volume / open;
-    const bool is_nook = own >= config_.nook_open_share && depth <= config_.nook_depth * std::sqrt(open);
+    const bool is_nook =
+        own >= config_.nook_open_share && depth <= config_.nook_depth * std::sqrt(open);
     return is_nook ? mean : 0.0;
   }
 
@@ -274,7 +276,8 @@ class Merger {
     }
   }
 
-  // A connector that joins two rooms goes to the one that it is more open to; inside before outside.
+  // A connector that joins two rooms goes to the one that it is more open to; inside before
+  // outside.
   void leftover_candidates(std::vector<Candidate>& out) const {
     for (std::uint32_t i = 1; i < groups_.size(); ++i) {
       if (!alive(i) || !is_connector(groups_[i])) continue;
@@ -289,8 +292,8 @@ class Merger {
     }
   }
 
-  // A solid that is not tight is part of what it leaks to: no room is seen through a wall's cracks then but
-  // through the other side's, and no portal leads into a wall.
+  // A solid that is not tight is part of what it leaks to: no room is seen through a wall's cracks
+  // then but through the other side's, and no portal leads into a wall.
   void leaking_solids(std::vector<Candidate>& out) const {
     for (std::uint32_t i = 1; i < groups_.size(); ++i) {
       if (!alive(i) || !groups_[i].is_solid()) continue;
@@ -303,8 +306,8 @@ class Merger {
     }
   }
 
-  // Furniture stands in one room: a solid that has most of its boundary there is part of it. A wall or a slab
-  // has at most half of it on one side.
+  // Furniture stands in one room: a solid that has most of its boundary there is part of it. A wall
+  // or a slab has at most half of it on one side.
   void enclosed_solids(std::vector<Candidate>& out) const {
     for (std::uint32_t i = 1; i < groups_.size(); ++i) {
       if (!alive(i) || !groups_[i].is_solid()) continue;
@@ -319,9 +322,9 @@ class Merger {
     }
   }
 
-  // The smallest groups (the insides of furniture, gaps behind it) go to the neighbour that they touch most,
-  // smallest first, until they hold the share of the volume that rooms do not miss. More in one cell is
-  // always safe: what is in one cell is taken to see each other.
+  // The smallest groups (the insides of furniture, gaps behind it) go to the neighbour that they
+  // touch most, smallest first, until they hold the share of the volume that rooms do not miss.
+  // More in one cell is always safe: what is in one cell is taken to see each other.
   void join_crumbs() {
     std::vector<std::pair<double, std::uint32_t>> by_volume;
     double total = 0.0;

@@ -1,4 +1,5 @@
-// Leaves of the partition into cells: what is open to each other is one room, what a door joins is not.
+// Leaves of the partition into cells: what is open to each other is one room, what a door joins is
+// not.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@ namespace enfilade {
 
 /// Thresholds are shares, so that they mean the same in any unit and size.
 struct MergeConfig {
-  /// Two groups are one when the opening is this share of the geometric mean of their faces there: more than
-  /// a door leaves of any wall, less than a partition of half height or the joint of an L.
+  /// Two groups are one when the opening is this share of the geometric mean of their faces there:
+  /// more than a door leaves of any wall, less than a partition of half height or the joint of an
+  /// L.
   double open_share = 0.5;
   /// A nook is open over nearly all of its face...
   double nook_open_share = 0.85;

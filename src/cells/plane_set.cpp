@@ -25,7 +25,8 @@ struct KeyHash {
   }
 };
 
-// One of the two opposite normals, the same one for nearly equal planes up to the hash's neighbourhoods.
+// One of the two opposite normals, the same one for nearly equal planes up to the hash's
+// neighbourhoods.
 bool is_canonical(const Vec3& n) {
   const Vec3 a = glm::abs(n);
   const int k = a.x + 1e-6 >= a.y && a.x + 1e-6 >= a.z ? 0 : a.y + 1e-6 >= a.z ? 1 : 2;
@@ -79,7 +80,8 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
             const auto bucket = buckets.find({x, y, z, e});
             if (bucket == buckets.end()) continue;
             for (const std::uint32_t candidate : bucket->second) {
-              if (candidate < found && lies_in(pieces[i].polygon, set.planes[candidate], tolerance_m)) {
+              if (candidate < found &&
+                  lies_in(pieces[i].polygon, set.planes[candidate], tolerance_m)) {
                 found = candidate;
               }
             }

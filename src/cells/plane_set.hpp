@@ -10,7 +10,8 @@
 
 namespace enfilade {
 
-/// Every piece lies within the tolerance of its plane; `same_facing` tells whether it faces the plane's front.
+/// Every piece lies within the tolerance of its plane; `same_facing` tells whether it faces the
+/// plane's front.
 struct PlaneSet {
   std::vector<Plane> planes;
   std::vector<std::uint32_t> plane_of_piece;

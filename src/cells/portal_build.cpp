@@ -37,7 +37,8 @@ std::vector<Polygon> hulls(std::vector<Polygon> parts, const Vec3& n, double joi
 std::vector<Portal> build_portals(std::span<const LeafInterface> interfaces,
                                   std::span<const std::uint32_t> cell_of_leaf,
                                   std::span<const Plane> planes, double joint_m) {
-  using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // cell in front, behind, plane
+  using Key =
+      std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // cell in front, behind, plane
   std::map<Key, std::vector<Polygon>> openings;
   for (const LeafInterface& face : interfaces) {
     const std::uint32_t a = cell_of_leaf[face.front_leaf], b = cell_of_leaf[face.back_leaf];

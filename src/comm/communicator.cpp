@@ -1,5 +1,6 @@
-// MPI behind Communicator. One receive for any message is always posted: looking for a message is a test of
-// it, waiting is a wait for it, and both are cheap under SMPI, where probing would poll in simulated time.
+// MPI behind Communicator. One receive for any message is always posted: looking for a message is a
+// test of it, waiting is a wait for it, and both are cheap under SMPI, where probing would poll in
+// simulated time.
 #include "comm/communicator.hpp"
 
 #include <mpi.h>
@@ -18,7 +19,8 @@ void check(int code, const char* call) {
   char text[MPI_MAX_ERROR_STRING] = {};
   int length = 0;
   MPI_Error_string(code, text, &length);
-  throw RunError(std::string(call) + " failed: " + std::string(text, static_cast<std::size_t>(length)));
+  throw RunError(std::string(call) +
+                 " failed: " + std::string(text, static_cast<std::size_t>(length)));
 }
 
 /// A message on its way: its bytes must stay until MPI has taken them.
@@ -38,15 +40,15 @@ struct Communicator::Impl {
   MPI_Request receiving = MPI_REQUEST_NULL;
 
   void post() {
-    check(MPI_Irecv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, MPI_ANY_SOURCE, MPI_ANY_TAG, comm,
-                    &receiving),
+    check(MPI_Irecv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, MPI_ANY_SOURCE,
+                    MPI_ANY_TAG, comm, &receiving),
           "MPI_Irecv");
   }
   void start(int to, Tag tag, std::vector<std::byte> bytes) {
     ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
     Pending& p = sending.emplace_back(Pending{std::move(bytes), MPI_REQUEST_NULL});
-    check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to, static_cast<int>(tag),
-                    comm, &p.request),
+    check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to,
+                    static_cast<int>(tag), comm, &p.request),
           "MPI_Isend");
   }
   void send(Rank to, Tag tag, std::vector<std::byte> bytes) {
@@ -169,8 +171,8 @@ std::vector<std::vector<double>> Communicator::gather(std::span<const double> nu
     total += static_cast<std::size_t>(counts[r]);
   }
   std::vector<double> all(root() ? total : 0);
-  check(MPI_Gatherv(numbers.data(), mine, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE, 0,
-                    impl_->comm),
+  check(MPI_Gatherv(numbers.data(), mine, MPI_DOUBLE, all.data(), counts.data(), offsets.data(),
+                    MPI_DOUBLE, 0, impl_->comm),
         "MPI_Gatherv");
   std::vector<std::vector<double>> result;
   if (!root()) return result;

@@ -1,5 +1,5 @@
-// The ranks of a run and the messages between them: the only room that calls MPI. Compiled once against Open
-// MPI and once against SimGrid's SMPI, from the same sources.
+// The ranks of a run and the messages between them: the only room that calls MPI. Compiled once
+// against Open MPI and once against SimGrid's SMPI, from the same sources.
 #pragma once
 
 #include <cstdint>
@@ -72,8 +72,8 @@ class Communicator {
   std::string broadcast(const std::string& text);
   /// On rank 0 everybody's numbers, by rank; elsewhere empty.
   std::vector<std::vector<double>> gather(std::span<const double> numbers);
-  /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error and all
-  /// others throw PeerFailure, so that one line is printed and all leave in order.
+  /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error
+  /// and all others throw PeerFailure, so that one line is printed and all leave in order.
   void on_root(const std::function<void()>& work);
 
   /// Ends all ranks of the run at once with this exit status, from any of them.

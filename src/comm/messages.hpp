@@ -10,8 +10,8 @@
 
 namespace enfilade {
 
-/// Thief to victim: "I am out of work in this iteration, and these clusters are in my memory" (§3.3.3,
-/// figure 4).
+/// Thief to victim: "I am out of work in this iteration, and these clusters are in my memory"
+/// (§3.3.3, figure 4).
 struct StealRequest {
   int iteration = 0;  ///< a victim that has not heard yet that it has begun answers when it has
   std::vector<ClusterId> resident;
@@ -22,16 +22,17 @@ struct StealReply {
   ClusterId cluster;
 };
 
-/// First tour of the ring (§3.3.4), from each rank to its successor once it is idle and has moved its files.
-/// Each rank folds in its own numbers: `maxima` by maximum, `sums` by addition, in the order of the ranks.
+/// First tour of the ring (§3.3.4), from each rank to its successor once it is idle and has moved
+/// its files. Each rank folds in its own numbers: `maxima` by maximum, `sums` by addition, in the
+/// order of the ranks.
 struct Token {
   std::vector<double> maxima;
   std::vector<double> sums;
   std::vector<double> coarse;  ///< a part of the coarse system, merged as `radiosity` says
 };
 
-/// Second tour, from rank 0 on: `value` is T_final where another iteration follows, -1 where all is done;
-/// `plan` is what every rank must know about that iteration.
+/// Second tour, from rank 0 on: `value` is T_final where another iteration follows, -1 where all is
+/// done; `plan` is what every rank must know about that iteration.
 struct Verdict {
   double value = -1.0;
   std::vector<double> plan;

@@ -25,7 +25,8 @@ void read_group(const Json& document, const std::string& path, const std::string
     const std::string where = group + "." + key;
     const auto setter = setters.find(key);
     if (setter == setters.end()) {
-      throw InputError(path, where, "not a cost that is known", "see platforms/README.md for the keys");
+      throw InputError(path, where, "not a cost that is known",
+                       "see platforms/README.md for the keys");
     }
     if (!value.is_number() || value.get<double>() < 0.0) {
       throw InputError(path, where, "not a number from 0 up", "give the cost as such a number");
@@ -34,7 +35,8 @@ void read_group(const Json& document, const std::string& path, const std::string
   }
   for (const auto& [key, setter] : setters) {
     if (!found->contains(key)) {
-      throw InputError(path, group + "." + key, "missing", "give it as in platforms/cost_model.json");
+      throw InputError(path, group + "." + key, "missing",
+                       "give it as in platforms/cost_model.json");
     }
   }
 }
@@ -52,7 +54,8 @@ Json parse(const std::string& path) {
   try {
     return Json::parse(in);
   } catch (const Json::parse_error& error) {
-    throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON", "mend the syntax there");
+    throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON",
+                     "mend the syntax there");
   }
 }
 
@@ -86,7 +89,8 @@ CostModel read_cost_model(const std::string& path) {
               {"patch_bytes", into(m.records.patch_bytes)},
               {"link_bytes", into(m.records.link_bytes)}});
   if (m.disk.request_bytes == 0) {
-    throw InputError(path, "disk.request_bytes", "is 0", "give the longest transfer of one request");
+    throw InputError(path, "disk.request_bytes", "is 0",
+                     "give the longest transfer of one request");
   }
   return m;
 }
@@ -103,10 +107,12 @@ double price_flops(const CostModel& model, const WorkCount& work) {
 std::uint64_t price_record(const CostModel& model, const RecordCount& count) {
   const RecordSizes& r = model.records;
   if (r.surface_bytes == 0 && r.patch_bytes == 0 && r.link_bytes == 0) return count.bytes;
-  return r.surface_bytes * count.surfaces + r.patch_bytes * count.patches + r.link_bytes * count.links;
+  return r.surface_bytes * count.surfaces + r.patch_bytes * count.patches +
+         r.link_bytes * count.links;
 }
 
-std::uint64_t parse_bytes(const std::string& text, const std::string& file, const std::string& where) {
+std::uint64_t parse_bytes(const std::string& text, const std::string& file,
+                          const std::string& where) {
   const InputError bad(file, where, "'" + text + "' is not a number of bytes",
                        "give digits, perhaps with K, M or G after them");
   std::size_t used = 0;
@@ -119,7 +125,7 @@ std::uint64_t parse_bytes(const std::string& text, const std::string& file, cons
   std::string suffix = text.substr(used);
   if (!suffix.empty() && (suffix.back() == 'B' || suffix.back() == 'b')) suffix.pop_back();
   if (!suffix.empty() && suffix.back() == 'i') suffix.pop_back();
-  static const std::map<std::string, double> scale = {{"", 1.0},       {"K", 0x1p10}, {"k", 0x1p10},
+  static const std::map<std::string, double> scale = {{"", 1.0},     {"K", 0x1p10}, {"k", 0x1p10},
                                                       {"M", 0x1p20}, {"m", 0x1p20}, {"G", 0x1p30},
                                                       {"g", 0x1p30}};
   const auto found = scale.find(suffix);

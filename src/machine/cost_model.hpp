@@ -9,7 +9,8 @@
 
 namespace enfilade {
 
-/// Flops an operation, by the kinds of WorkCount. The defaults are those of platforms/cost_model.json.
+/// Flops an operation, by the kinds of WorkCount. The defaults are those of
+/// platforms/cost_model.json.
 struct FlopCosts {
   double ray = 3000.0;
   double form_factor = 300.0;
@@ -19,14 +20,14 @@ struct FlopCosts {
   double patch = 300.0;
   double push_pull = 40.0;
   double shaft = 1500.0;
-  double byte_read = 4.0;     ///< decoding, checksum, copy out of the network
+  double byte_read = 4.0;  ///< decoding, checksum, copy out of the network
   double byte_written = 4.0;
 };
 
 /// One request at a disk: wait for the arm, seek, transfer (the platform's bandwidth).
 struct DiskCosts {
   double seek_s = 0.012;
-  double request_s = 0.001;               ///< of the client: call and answer, beside the wire's own latency
+  double request_s = 0.001;  ///< of the client: call and answer, beside the wire's own latency
   std::uint64_t request_bytes = 1 << 20;  ///< a longer transfer queues for the arm again
 };
 
@@ -48,6 +49,7 @@ double price_flops(const CostModel& model, const WorkCount& work);
 std::uint64_t price_record(const CostModel& model, const RecordCount& count);
 
 /// "256M" -> bytes; suffixes K, M, G (powers of 1024). Throws InputError(file, where, ...).
-std::uint64_t parse_bytes(const std::string& text, const std::string& file, const std::string& where);
+std::uint64_t parse_bytes(const std::string& text, const std::string& file,
+                          const std::string& where);
 
 }  // namespace enfilade

@@ -1,5 +1,6 @@
-// The machine that a rank runs on: the real one, or a host of a simulated cluster. The one place where work
-// and bytes become time. `real` and `smpi` implement it; an executable links exactly one of them.
+// The machine that a rank runs on: the real one, or a host of a simulated cluster. The one place
+// where work and bytes become time. `real` and `smpi` implement it; an executable links exactly one
+// of them.
 #pragma once
 
 #include <array>
@@ -18,8 +19,8 @@ enum class Disk { common, local };
 enum class Phase : std::uint8_t { compute, io, commit, steal, wait, token };
 inline constexpr std::size_t phase_count = 6;
 
-/// Seconds that a rank spent, by what it did: io = reading, writing and moving files; idle = waiting for
-/// stolen work, for the others and for the token.
+/// Seconds that a rank spent, by what it did: io = reading, writing and moving files; idle =
+/// waiting for stolen work, for the others and for the token.
 struct TimeUse {
   double compute_s = 0.0, io_s = 0.0, idle_s = 0.0;
 };
@@ -35,19 +36,21 @@ class Machine {
   virtual ~Machine() = default;
   /// Real: nothing, the work took its time. Simulated: flops by the cost model.
   virtual void compute(const WorkCount& work) = 0;
-  /// Called after the real bytes of file number `file` moved. Real: nothing. Simulated: disk, queue and wire.
+  /// Called after the real bytes of file number `file` moved. Real: nothing. Simulated: disk, queue
+  /// and wire.
   virtual void read(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
   virtual void write(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
   /// From the local to the common directory: a renaming where both lie on one disk, else a copy.
   virtual void move_to_common(std::uint64_t file, std::uint64_t bytes) = 0;
-  /// The size that a section counts for, on the disk and in memory: its own, or (simulated) that of the
-  /// records of the modelled program.
+  /// The size that a section counts for, on the disk and in memory: its own, or (simulated) that of
+  /// the records of the modelled program.
   virtual std::uint64_t record_bytes(const RecordCount& count) const = 0;
   /// Memory of the host that a rank may use; 0 = not known, no limit.
   virtual std::uint64_t memory_bytes() const = 0;
   /// Seconds since the start: wall clock, or simulated.
   virtual double now_s() const = 0;
-  /// Between two looks at the messages; `turn` counts the looks in vain, so that waiting can back off.
+  /// Between two looks at the messages; `turn` counts the looks in vain, so that waiting can back
+  /// off.
   virtual void pause(int turn) = 0;
   virtual bool simulated() const = 0;
   /// Name of the host that this rank runs on.

@@ -1,8 +1,9 @@
-// A host of a simulated cluster: the only file that names SimGrid. Time passes only by what is charged here
-// and by the messages; never by the wall clock, so that a simulation repeats to the byte.
-#include <simgrid/s4u.hpp>
+// A host of a simulated cluster: the only file that names SimGrid. Time passes only by what is
+// charged here and by the messages; never by the wall clock, so that a simulation repeats to the
+// byte.
 #include <smpi/smpi.h>
 #include <xbt/log.h>
+#include <simgrid/s4u.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -16,14 +17,15 @@ namespace {
 
 namespace s4u = simgrid::s4u;
 
-/// The arm of a disk: first come, first served. All ranks share one address space, so it hangs on the disk
-/// itself, where every rank finds it.
+/// The arm of a disk: first come, first served. All ranks share one address space, so it hangs on
+/// the disk itself, where every rank finds it.
 struct DiskArm {
   s4u::MutexPtr queue = s4u::Mutex::create();
 };
 
 DiskArm& arm_of(s4u::Disk& disk) {
-  if (disk.get_data<DiskArm>() == nullptr) disk.set_data(new DiskArm);  // lives as long as the simulation
+  if (disk.get_data<DiskArm>() == nullptr)
+    disk.set_data(new DiskArm);  // lives as long as the simulation
   return *disk.get_data<DiskArm>();
 }
 
@@ -55,7 +57,8 @@ class SimulatedMachine final : public Machine {
     if (const char* memory = here_->get_property("memory")) {
       // All ranks were placed before the first one ran: those of one host share its memory.
       const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());
-      memory_bytes_ = parse_bytes(memory, "platform", "host " + here_->get_name() + ": memory") / ranks;
+      memory_bytes_ =
+          parse_bytes(memory, "platform", "host " + here_->get_name() + ": memory") / ranks;
     }
   }
 
@@ -91,8 +94,8 @@ class SimulatedMachine final : public Machine {
   static void execute(double flops) {
     if (flops > 0.0) smpi_execute_flops(flops);
   }
-  /// Files are spread over the common disks by their number; a host without a disk has its local directory
-  /// on the common one, as the paper's hosts had.
+  /// Files are spread over the common disks by their number; a host without a disk has its local
+  /// directory on the common one, as the paper's hosts had.
   Server server_of(Disk disk, std::uint64_t file) const {
     if (disk == Disk::local && local_.disk != nullptr) return local_;
     return common_[file % common_.size()];
@@ -128,14 +131,14 @@ class SimulatedMachine final : public Machine {
 }  // namespace
 
 std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
-  // Only what is charged counts, whatever smpirun's command line said; and looking for a message is as
-  // cheap as it is on a real machine.
+  // Only what is charged counts, whatever smpirun's command line said; and looking for a message is
+  // as cheap as it is on a real machine.
   xbt_log_control_set("xbt_cfg.thres:warning");
   s4u::Engine::set_config("smpi/simulate-computation:no");
   s4u::Engine::set_config("smpi/test:1e-7");
   s4u::Engine::set_config("smpi/grow-injected-times:no");
-  return std::make_unique<SimulatedMachine>(cost_model_file.empty() ? CostModel{}
-                                                                    : read_cost_model(cost_model_file));
+  return std::make_unique<SimulatedMachine>(
+      cost_model_file.empty() ? CostModel{} : read_cost_model(cost_model_file));
 }
 
 }  // namespace enfilade

@@ -11,22 +11,25 @@ namespace enfilade {
 /// What the coarse system adds to the light of every cluster before the next iteration.
 struct Correction {
   std::vector<double> offsets;  ///< as the ClusterWork understands them; empty = none
-  double missing_power = 0.0;   ///< how much that is: an estimate of what the iterations still lacked
+  double missing_power =
+      0.0;  ///< how much that is: an estimate of what the iterations still lacked
 };
 
 class ClusterWork {
  public:
   virtual ~ClusterWork() = default;
-  /// Iteration plan.iteration - 1 is committed; its light is corrected by `offsets`, and the iteration of the
-  /// plan begins.
+  /// Iteration plan.iteration - 1 is committed; its light is corrected by `offsets`, and the
+  /// iteration of the plan begins.
   virtual void begin(const IterationPlan& plan, std::span<const double> offsets) = 0;
-  /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the cluster's part of the sums.
+  /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the cluster's part of the
+  /// sums.
   virtual IterationSums gather(ClusterId receiver) = 0;
   /// The clusters in this rank's memory, which a thief tells its victim.
   virtual std::vector<ClusterId> resident() const = 0;
   /// MoveToCommonDirectory(S) of figure 2.
   virtual void move_to_common() = 0;
-  /// This rank's part of the coarse system of the iteration, the sum of two parts, and the whole one solved.
+  /// This rank's part of the coarse system of the iteration, the sum of two parts, and the whole
+  /// one solved.
   virtual std::vector<double> coarse() const { return {}; }
   virtual std::vector<double> merge(std::span<const double> a, std::span<const double>) const {
     return {a.begin(), a.end()};

@@ -21,12 +21,14 @@ void Dialogue::take(Received received) {
   } else if (auto* token = std::get_if<Token>(&received.message)) {
     std::get<std::deque<Token>>(shelves_).push_back(std::move(*token));
   } else {
-    std::get<std::deque<Verdict>>(shelves_).push_back(std::move(std::get<Verdict>(received.message)));
+    std::get<std::deque<Verdict>>(shelves_).push_back(
+        std::move(std::get<Verdict>(received.message)));
   }
 }
 
 void Dialogue::reply(Rank thief, const StealRequest& request) {
-  if (request.iteration > iteration_) {  // the verdict is still on its way round the ring to this rank
+  if (request.iteration >
+      iteration_) {  // the verdict is still on its way round the ring to this rank
     early_.push_back({thief, request});
     return;
   }

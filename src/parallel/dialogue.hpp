@@ -1,4 +1,5 @@
-// A rank's side of all conversations: requests for work are answered whatever it is waiting for (figure 5).
+// A rank's side of all conversations: requests for work are answered whatever it is waiting for
+// (figure 5).
 #pragma once
 
 #include <deque>
@@ -21,7 +22,8 @@ class Dialogue {
   void start(int iteration);
   /// Answers what has arrived; called between two receiving clusters.
   void look();
-  /// WaitForReply of figure 5, for any kind of message: answers requests until one of kind T is there.
+  /// WaitForReply of figure 5, for any kind of message: answers requests until one of kind T is
+  /// there.
   template <class T>
   T wait_for() {
     auto& shelf = std::get<std::deque<T>>(shelves_);

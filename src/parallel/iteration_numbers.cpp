@@ -13,7 +13,8 @@ class Numbers {
  public:
   explicit Numbers(std::span<const double> numbers) : numbers_(numbers) {}
   double next() {
-    if (numbers_.empty()) throw RunError("a record of an iteration is cut short; solve again without --resume");
+    if (numbers_.empty())
+      throw RunError("a record of an iteration is cut short; solve again without --resume");
     const double value = numbers_.front();
     numbers_ = numbers_.subspan(1);
     return value;
@@ -41,7 +42,8 @@ void add(IterationSums& sums, const IterationSums& part) {
   if (sums.absorbed_power.size() < part.absorbed_power.size()) {
     sums.absorbed_power.resize(part.absorbed_power.size(), 0.0);
   }
-  for (std::size_t b = 0; b < part.absorbed_power.size(); ++b) sums.absorbed_power[b] += part.absorbed_power[b];
+  for (std::size_t b = 0; b < part.absorbed_power.size(); ++b)
+    sums.absorbed_power[b] += part.absorbed_power[b];
   sums.work += part.work;
 }
 
@@ -95,9 +97,9 @@ IterationSums sums_from(const Token& token) {
 }
 
 std::vector<double> to_numbers(const IterationPlan& plan) {
-  return {static_cast<double>(plan.iteration),  plan.link_tolerance, plan.refine ? 1.0 : 0.0,
-          plan.close_rows ? 1.0 : 0.0,          plan.finished ? 1.0 : 0.0,
-          plan.converged ? 1.0 : 0.0};
+  return {
+      static_cast<double>(plan.iteration), plan.link_tolerance,       plan.refine ? 1.0 : 0.0,
+      plan.close_rows ? 1.0 : 0.0,         plan.finished ? 1.0 : 0.0, plan.converged ? 1.0 : 0.0};
 }
 
 IterationPlan plan_from(std::span<const double> numbers) {

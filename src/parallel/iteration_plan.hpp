@@ -16,9 +16,9 @@ struct IterationPlan {
   int iteration = 1;            ///< the one that the plan is for; 0 is the state before the first
   double link_tolerance = 0.0;  ///< GatherConfig::link_tolerance
   bool refine = true;
-  bool close_rows = false;      ///< GatherConfig::close_rows
-  bool finished = false;        ///< there is no such iteration: the run ends
-  bool converged = false;       ///< it ends because it is good enough, not because it gave up
+  bool close_rows = false;  ///< GatherConfig::close_rows
+  bool finished = false;    ///< there is no such iteration: the run ends
+  bool converged = false;   ///< it ends because it is good enough, not because it gave up
 };
 
 /// Sums over all clusters of one iteration, as the token brought them round.
@@ -29,8 +29,8 @@ struct IterationSums {
   double link_error_power = 0.0;  ///< sum of the links' estimated errors
   std::uint64_t patches = 0, links = 0;
   std::uint64_t steals = 0, steal_requests = 0;
-  Spectrum absorbed_power;        ///< per band
-  WorkCount work;                 ///< of this iteration
+  Spectrum absorbed_power;  ///< per band
+  WorkCount work;           ///< of this iteration
 };
 /// Folds one part (a cluster's, a rank's) into another.
 void add(IterationSums& sums, const IterationSums& part);
@@ -45,9 +45,9 @@ struct IterationSummary {
 };
 
 struct PlanConfig {
-  double emitted_power = 0.0;    ///< worst band; what epsilon is relative to
-  double epsilon = 0.0;          ///< link tolerance over emitted power; 0 = from target_error
-  double tolerance = 0.0;        ///< stop below this change_power / received_power; 0 = from target_error
+  double emitted_power = 0.0;  ///< worst band; what epsilon is relative to
+  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
+  double tolerance = 0.0;  ///< stop below this change_power / received_power; 0 = from target_error
   double target_error = 0.02;
   int max_iterations = 200;
 };

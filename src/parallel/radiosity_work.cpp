@@ -12,8 +12,8 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
 
 }  // namespace
 
-RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank, Machine& machine,
-                             const RadiosityWorkConfig& config)
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank,
+                             Machine& machine, const RadiosityWorkConfig& config)
     : prepared_(prepared),
       machine_(machine),
       config_(config),
@@ -40,13 +40,13 @@ void RadiosityWork::initialise(std::span<const ClusterId> own) {
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> offsets) {
   store_.set_committed(plan.iteration - 1);
   coarse_ = CoarseSystem(groups_, bands_);
-  resident_.set_correction(
-      [this, own = std::vector<double>(offsets.begin(), offsets.end())](ClusterState& state) {
-        if (own.empty()) return;
-        state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
-      });
-  // What is refined must not depend on the ranks' number and speeds, so it is decided by committed light alone.
-  // Light then spreads as with Jacobi, which the coarse correction makes up for.
+  resident_.set_correction([this, own = std::vector<double>(offsets.begin(), offsets.end())](
+                               ClusterState& state) {
+    if (own.empty()) return;
+    state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
+  });
+  // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
+  // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
   resident_.set_committed_only(config_.same_on_any_ranks && plan.refine);
   gather_config_.iteration = plan.iteration;
   gather_config_.link_tolerance = plan.link_tolerance;
@@ -81,7 +81,8 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   return sums;
 }
 
-std::vector<double> RadiosityWork::merge(std::span<const double> a, std::span<const double> b) const {
+std::vector<double> RadiosityWork::merge(std::span<const double> a,
+                                         std::span<const double> b) const {
   CoarseSystem sum = CoarseSystem::from_numbers(a);
   sum.merge(CoarseSystem::from_numbers(b));
   return sum.to_numbers();
@@ -95,8 +96,8 @@ Correction RadiosityWork::correct(std::span<const double> coarse) const {
   return correction;
 }
 
-void RadiosityWork::commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
-                           bool finished) {
+void RadiosityWork::commit(const std::vector<IterationSummary>& history,
+                           std::span<const double> offsets, bool finished) {
   Manifest manifest;
   manifest.iteration = history.empty() ? 0 : history.back().plan.iteration;
   manifest.clusters = prepared_.clusters.size();

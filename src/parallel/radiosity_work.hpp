@@ -19,7 +19,8 @@ struct RadiosityWorkConfig {
   int max_depth = 20;
   double min_area_m2 = 0.0;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
-  bool same_on_any_ranks = false;  ///< refine by committed light alone; the paper takes a rank's newest
+  bool same_on_any_ranks =
+      false;  ///< refine by committed light alone; the paper takes a rank's newest
 };
 
 class RadiosityWork final : public ClusterWork {
@@ -29,7 +30,9 @@ class RadiosityWork final : public ClusterWork {
 
   /// Makes these clusters as they are before the first iteration, and their files.
   void initialise(std::span<const ClusterId> own);
-  void set_next_use(ResidentClusters::NextUse next_use) { resident_.set_next_use(std::move(next_use)); }
+  void set_next_use(ResidentClusters::NextUse next_use) {
+    resident_.set_next_use(std::move(next_use));
+  }
 
   void begin(const IterationPlan& plan, std::span<const double> offsets) override;
   IterationSums gather(ClusterId receiver) override;

@@ -1,4 +1,5 @@
-// Termination() of §3.3.4: one tour of a token gathers and synchronises, a second one tells what follows.
+// Termination() of §3.3.4: one tour of a token gathers and synchronises, a second one tells what
+// follows.
 #pragma once
 
 #include <functional>
@@ -7,12 +8,13 @@
 
 namespace enfilade {
 
-/// Maxima by maximum, sums by addition; a shorter list counts as filled up with zeros. Leaves `coarse`.
+/// Maxima by maximum, sums by addition; a shorter list counts as filled up with zeros. Leaves
+/// `coarse`.
 void fold(Token& token, const Token& own);
 
-/// Called by every rank once it is idle and has moved its files, with its own numbers. On rank 0 `decide`
-/// turns everybody's into the verdict: when it is called, all ranks are idle and have moved. Returns that
-/// verdict on every rank.
+/// Called by every rank once it is idle and has moved its files, with its own numbers. On rank 0
+/// `decide` turns everybody's into the verdict: when it is called, all ranks are idle and have
+/// moved. Returns that verdict on every rank.
 Verdict go_round(Communicator& communicator, Machine& machine, Dialogue& dialogue, const Token& own,
                  const std::function<Verdict(const Token&)>& decide,
                  const std::function<void(Token& token, const Token& own)>& add_own = fold);

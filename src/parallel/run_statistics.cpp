@@ -54,8 +54,11 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
   record.set("links", end.links);
   record.set("iterations", history.size());
   record.set("converged", RunRecord::Value(last.converged));
-  record.set("residual", RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
-  record.set("estimated_error", RunRecord::Value(history.empty() ? 1.0 : history.back().estimated_error));
+  record.set(
+      "residual",
+      RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
+  record.set("estimated_error",
+             RunRecord::Value(history.empty() ? 1.0 : history.back().estimated_error));
   record.set("flux_balance", RunRecord::Value(flux_balance(emitted, end.absorbed_power)));
   record.set("rays", all.work.rays);
   record.set("form_factors", all.work.form_factors);
@@ -78,11 +81,16 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
   // Simulated ranks share one process: what each would need is what its clusters take.
   const std::uint64_t peak = machine.simulated() ? own.residency.peak_bytes : peak_rss_bytes();
-  const std::vector<double> mine = {own.time.compute_s,        own.time.io_s,
-                                    own.time.idle_s,           n(own.store.bytes_read),
-                                    n(own.store.bytes_written), n(own.sent.messages),
-                                    n(own.sent.bytes),         n(peak),
-                                    n(own.residency.peak_bytes), n(own.residency.over_budget_bytes),
+  const std::vector<double> mine = {own.time.compute_s,
+                                    own.time.io_s,
+                                    own.time.idle_s,
+                                    n(own.store.bytes_read),
+                                    n(own.store.bytes_written),
+                                    n(own.sent.messages),
+                                    n(own.sent.bytes),
+                                    n(peak),
+                                    n(own.residency.peak_bytes),
+                                    n(own.residency.over_budget_bytes),
                                     own.span_s};
   const auto ranks = communicator.gather(mine);
   RunRecord record;

@@ -17,7 +17,8 @@ double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig& config, Rank rank, int ranks) {
+std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig& config, Rank rank,
+                                    int ranks) {
   const std::vector<Rank> owner =
       assign(prepared.graph, {.method = config.assignment, .parts = ranks, .seed = config.seed});
   std::vector<ClusterId> own;
@@ -30,7 +31,8 @@ std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig&
 /// Bytes of a cluster as it comes from the disk for the first time, near enough to order a tour by.
 std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis) {
   std::vector<std::uint64_t> bytes;
-  const auto values = static_cast<std::uint64_t>(prepared.scene.bands) * static_cast<std::uint64_t>(basis);
+  const auto values =
+      static_cast<std::uint64_t>(prepared.scene.bands) * static_cast<std::uint64_t>(basis);
   for (const Cluster& cluster : prepared.clusters) {
     bytes.push_back(256 + cluster.polygons.size() * (320 + 16 * values));
   }
@@ -50,7 +52,8 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   if (!config.resume) return std::nullopt;
   const std::optional<Manifest> manifest = read_manifest(layout);
   if (!manifest) return std::nullopt;  // died before anything was committed: begin at the beginning
-  if (manifest->clusters != prepared.clusters.size() || manifest->scene_hash != prepared.scene.hash) {
+  if (manifest->clusters != prepared.clusters.size() ||
+      manifest->scene_hash != prepared.scene.hash) {
     throw InputError(config.run_directory, "--resume", "the solution there is of another scene",
                      "solve without --resume, or into another directory");
   }
@@ -79,18 +82,20 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                 Machine& machine, const IterationObserver& observer) {
   const double wall_start_s = seconds_of_wall();
   const RunLayout layout(config.run_directory, config.local_directory);
-  const std::uint64_t memory = config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
+  const std::uint64_t memory =
+      config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::optional<Manifest> manifest = manifest_to_resume(config, prepared, layout);
-  const Basis basis = manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
+  const Basis basis =
+      manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
 
   const std::vector<ClusterId> own =
       own_clusters(prepared, config, communicator.rank(), communicator.size());
   const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
                             memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
   TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(prepared, layout, communicator.rank(), machine,
-                     {basis, config.max_depth, config.min_area_m2, memory,
-                      config.coarse_correction});
+  RadiosityWork work(
+      prepared, layout, communicator.rank(), machine,
+      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction});
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
                                    8 * work.most_coarse_numbers());
@@ -111,16 +116,18 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const IterationPlan last = run_spmd(
       work, tasks, communicator, machine, {config.steal, config.coarse_correction}, plan,
       manifest ? manifest->correction : std::vector<double>{}, history,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); }, observer);
+      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
+      observer);
 
   const TimeUse after = machine.time_use();
-  const RankStatistics mine{{after.compute_s - before.compute_s, after.io_s - before.io_s,
-                             after.idle_s - before.idle_s},
-                            machine.now_s() - start_s,
-                            work.store_count(),
-                            work.residency_count(),
-                            communicator.sent()};
-  RunRecord record = gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
+  const RankStatistics mine{
+      {after.compute_s - before.compute_s, after.io_s - before.io_s, after.idle_s - before.idle_s},
+      machine.now_s() - start_s,
+      work.store_count(),
+      work.residency_count(),
+      communicator.sent()};
+  RunRecord record =
+      gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
   if (communicator.root()) {
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));

@@ -18,28 +18,29 @@ namespace enfilade {
 
 struct SolveConfig {
   std::string run_directory;
-  std::string local_directory;      ///< parent of the ranks' local directories; empty = RUN/local
+  std::string local_directory;  ///< parent of the ranks' local directories; empty = RUN/local
   Basis basis = Basis::linear;
-  double target_error = 0.02;       ///< relative, area-weighted L1 of the irradiance
-  double epsilon = 0.0;             ///< link tolerance over emitted power; 0 = from target_error
-  double tolerance = 0.0;           ///< relative change to stop at; 0 = from target_error
-  std::uint64_t memory_bytes = 0;   ///< budget of a rank for clusters; 0 = the machine's, or no limit
+  double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
+  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
+  double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
+  std::uint64_t memory_bytes =
+      0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
   std::uint64_t seed = 1;
   AssignmentMethod assignment = AssignmentMethod::kmeans;
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
-  bool coarse_correction = true;    ///< false: the paper's group iteration as it is
-  bool resume = false;              ///< go on from the last committed iteration
+  bool coarse_correction = true;  ///< false: the paper's group iteration as it is
+  bool resume = false;            ///< go on from the last committed iteration
   int max_iterations = 200;
-  int max_depth = 20;               ///< of refinement, see GatherConfig
+  int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;
 };
 
 /// Called on rank 0 after every committed iteration.
 using IterationObserver = std::function<void(const IterationSummary&)>;
 
-/// All ranks call it with the same arguments. The record of RUN/stats.json (on rank 0; elsewhere empty).
-/// RUN/ then holds the solution: read_solution() of store/solution.hpp reads it.
+/// All ranks call it with the same arguments. The record of RUN/stats.json (on rank 0; elsewhere
+/// empty). RUN/ then holds the solution: read_solution() of store/solution.hpp reads it.
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 

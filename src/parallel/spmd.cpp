@@ -7,7 +7,8 @@ namespace enfilade {
 namespace {
 
 /// Gathers for this rank's clusters, then for others' as long as there are any.
-IterationSums gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue, Thief& thief, bool steal) {
+IterationSums gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue, Thief& thief,
+                         bool steal) {
   IterationSums sums;
   while (const auto cluster = tasks.next()) {
     add(sums, work.gather(*cluster));
@@ -27,10 +28,10 @@ IterationSums gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue,
 
 }  // namespace
 
-IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator, Machine& machine,
-                       const SpmdConfig& config, IterationPlan plan, std::vector<double> offsets,
-                       std::vector<IterationSummary>& history, const PlanNext& plan_next,
-                       const SummaryObserver& observer) {
+IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
+                       Machine& machine, const SpmdConfig& config, IterationPlan plan,
+                       std::vector<double> offsets, std::vector<IterationSummary>& history,
+                       const PlanNext& plan_next, const SummaryObserver& observer) {
   Dialogue dialogue(communicator, machine, tasks);
   Thief thief(communicator, machine, dialogue);
   const double start_s = machine.now_s();
@@ -40,7 +41,8 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     summary.plan = plan;
     summary.sums = sums_from(token);
     summary.time_s = machine.now_s() - start_s;
-    const Correction correction = config.coarse_correction ? work.correct(token.coarse) : Correction{};
+    const Correction correction =
+        config.coarse_correction ? work.correct(token.coarse) : Correction{};
     summary.missing_power = correction.missing_power;
     history.push_back(summary);
     history.back().estimated_error = estimate_error(history);

@@ -20,12 +20,12 @@ using PlanNext = std::function<IterationPlan(const std::vector<IterationSummary>
 /// On rank 0, after each committed iteration.
 using SummaryObserver = std::function<void(const IterationSummary&)>;
 
-/// Runs iterations from `plan` on until one is the last. `offsets` corrects the light that it starts from (a
-/// resumed run; else empty). `history` holds what came before (on rank 0; empty
-/// for a new run) and grows there. Returns the plan that ended the run, on every rank.
-IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator, Machine& machine,
-                       const SpmdConfig& config, IterationPlan plan, std::vector<double> offsets,
-                       std::vector<IterationSummary>& history, const PlanNext& plan_next,
-                       const SummaryObserver& observer = {});
+/// Runs iterations from `plan` on until one is the last. `offsets` corrects the light that it
+/// starts from (a resumed run; else empty). `history` holds what came before (on rank 0; empty for
+/// a new run) and grows there. Returns the plan that ended the run, on every rank.
+IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
+                       Machine& machine, const SpmdConfig& config, IterationPlan plan,
+                       std::vector<double> offsets, std::vector<IterationSummary>& history,
+                       const PlanNext& plan_next, const SummaryObserver& observer = {});
 
 }  // namespace enfilade

@@ -14,9 +14,10 @@ class Thief {
  public:
   Thief(Communicator& communicator, Machine& machine, Dialogue& dialogue);
   void start(int iteration);
-  /// A cluster that is this rank's from now on; none when nobody has one left in this iteration. Starts with
-  /// the successor and not with rank 0, so that the first rank is not everybody's first victim; goes on with
-  /// the last victim that gave; and does not ask again who had nothing, since no work comes to them.
+  /// A cluster that is this rank's from now on; none when nobody has one left in this iteration.
+  /// Starts with the successor and not with rank 0, so that the first rank is not everybody's first
+  /// victim; goes on with the last victim that gave; and does not ask again who had nothing, since
+  /// no work comes to them.
   std::optional<ClusterId> request(std::span<const ClusterId> resident);
 
   std::uint64_t steals() const { return steals_; }
@@ -27,7 +28,7 @@ class Thief {
   Machine& machine_;
   Dialogue& dialogue_;
   int iteration_ = 0;
-  std::vector<int> victims_;  ///< that may have work left, the next one to ask first
+  std::vector<int> victims_;                 ///< that may have work left, the next one to ask first
   std::uint64_t steals_ = 0, requests_ = 0;  ///< in this iteration
 };
 

@@ -1,4 +1,5 @@
-// A rank's receiving clusters: its CYCLE, gone through once an iteration, given from and added to (§3.3.3).
+// A rank's receiving clusters: its CYCLE, gone through once an iteration, given from and added to
+// (§3.3.3).
 #pragma once
 
 #include <cstdint>
@@ -14,14 +15,17 @@ namespace enfilade {
 class TaskList {
  public:
   /// `cost` must outlive the list.
-  TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, TourOrder order, std::uint64_t seed);
+  TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, TourOrder order,
+           std::uint64_t seed);
 
-  /// A new iteration: CYCLE from its start, with what was adopted in the last one put where it costs least.
+  /// A new iteration: CYCLE from its start, with what was adopted in the last one put where it
+  /// costs least.
   void start();
   /// The next receiving cluster; none when all have had their turn.
   std::optional<ClusterId> next();
-  /// For a thief with these clusters in its memory: takes the waiting cluster that costs it least to load
-  /// out of CYCLE. Of equals the last in CYCLE, which is farthest from what this rank works on.
+  /// For a thief with these clusters in its memory: takes the waiting cluster that costs it least
+  /// to load out of CYCLE. Of equals the last in CYCLE, which is farthest from what this rank works
+  /// on.
   std::optional<ClusterId> give(std::span<const ClusterId> resident);
   /// S = S + C of figure 2: a stolen cluster is this rank's from now on.
   void adopt(ClusterId cluster) { adopted_.push_back(cluster); }

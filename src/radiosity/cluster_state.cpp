@@ -154,7 +154,8 @@ class ClusterStateCodec {
     f.exposure_.resize(f.nodes_.size());
     f.sealed_.resize(f.frames_.size());
     for (const std::uint32_t parent : r.get_all<std::uint32_t>()) {
-      if (parent >= f.nodes_.size()) throw RunError("a cluster's record names a patch it does not have");
+      if (parent >= f.nodes_.size())
+        throw RunError("a cluster's record names a patch it does not have");
       f.subdivide(parent);
     }
     f.radiosity_ = r.get_all<double>();
@@ -163,9 +164,8 @@ class ClusterStateCodec {
     f.exposure_ = r.get_all<float>();
     f.sealed_ = r.get_all<std::uint8_t>();
     if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
-        f.irradiance_.size() != f.radiosity_.size() ||
-        f.deviation_.size() != f.nodes_.size() || f.exposure_.size() != f.nodes_.size() ||
-        f.sealed_.size() != f.frames_.size()) {
+        f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
+        f.exposure_.size() != f.nodes_.size() || f.sealed_.size() != f.frames_.size()) {
       throw RunError("a cluster's record holds light for another number of patches");
     }
     f.pull_groups();
@@ -191,9 +191,12 @@ class ClusterStateCodec {
     std::size_t corners = 0;
     for (const PatchNode& n : f.nodes_) corners += n.shape.vertices.capacity();
     return f.nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
-           (f.radiosity_.capacity() + f.irradiance_.capacity() + f.deviation_.capacity()) * sizeof(double) +
-           f.frames_.size() * (sizeof(PolygonFrame) + 2 * sizeof(double) * static_cast<std::size_t>(f.bands_)) +
-           f.groups_.size() * (sizeof(GroupNode) + sizeof(double) * static_cast<std::size_t>(f.bands_ + 1));
+           (f.radiosity_.capacity() + f.irradiance_.capacity() + f.deviation_.capacity()) *
+               sizeof(double) +
+           f.frames_.size() *
+               (sizeof(PolygonFrame) + 2 * sizeof(double) * static_cast<std::size_t>(f.bands_)) +
+           f.groups_.size() *
+               (sizeof(GroupNode) + sizeof(double) * static_cast<std::size_t>(f.bands_ + 1));
   }
   static std::size_t bytes(const LinkSet& l) {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);

@@ -1,4 +1,5 @@
-// A cluster as the solver holds it: its polygons, its hierarchy of patches with their light, and its links.
+// A cluster as the solver holds it: its polygons, its hierarchy of patches with their light, and
+// its links.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,8 @@ class ClusterState {
 
   /// A copy of what others need of it: everything but the links.
   ClusterState shooter() const;
-  /// Adds a coarse correction to the irradiance (per band) of all patches, and what they reflect of it.
+  /// Adds a coarse correction to the irradiance (per band) of all patches, and what they reflect of
+  /// it.
   void correct(std::span<const double> irradiance_offset);
   /// The iteration that it was last gathered for in; 0 = never.
   int iteration() const { return iteration_; }

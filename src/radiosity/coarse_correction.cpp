@@ -13,12 +13,14 @@ std::vector<std::uint32_t> coarse_groups(std::span<const Cluster> clusters, std:
     for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<std::uint32_t>(i);
     return group;
   }
-  // Clusters come by cell: runs of them, cut into equal shares so that large cells have several unknowns.
+  // Clusters come by cell: runs of them, cut into equal shares so that large cells have several
+  // unknowns.
   const std::size_t share = (clusters.size() + most - 1) / most;
   std::uint32_t next = 0;
   std::size_t in_group = 0;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const bool other_cell = i > 0 && clusters[i].cell != clusters[i - 1].cell && 2 * in_group >= share;
+    const bool other_cell =
+        i > 0 && clusters[i].cell != clusters[i - 1].cell && 2 * in_group >= share;
     if (i > 0 && (in_group >= share || other_cell)) {
       ++next;
       in_group = 0;
@@ -30,7 +32,11 @@ std::vector<std::uint32_t> coarse_groups(std::span<const Cluster> clusters, std:
 }
 
 CoarseSystem::CoarseSystem(std::size_t groups, std::size_t bands)
-    : groups_(groups), bands_(bands), area_(groups, 0.0), change_(groups * bands, 0.0), rows_(groups) {}
+    : groups_(groups),
+      bands_(bands),
+      area_(groups, 0.0),
+      change_(groups * bands, 0.0),
+      rows_(groups) {}
 
 void CoarseSystem::add(std::uint32_t group, const CoarseRow& row,
                        std::span<const std::uint32_t> group_of_cluster) {
@@ -55,7 +61,8 @@ void CoarseSystem::merge(const CoarseSystem& other) {
   ENFILADE_CHECK(other.groups_ == groups_ && other.bands_ == bands_, std::to_string(other.groups_));
   for (std::size_t g = 0; g < groups_; ++g) {
     area_[g] += other.area_[g];
-    for (std::size_t b = 0; b < bands_; ++b) change_[g * bands_ + b] += other.change_[g * bands_ + b];
+    for (std::size_t b = 0; b < bands_; ++b)
+      change_[g * bands_ + b] += other.change_[g * bands_ + b];
     for (const Coupling& c : other.rows_[g]) {
       auto at = std::lower_bound(rows_[g].begin(), rows_[g].end(), c.column,
                                  [](const Coupling& x, std::uint32_t k) { return x.column < k; });

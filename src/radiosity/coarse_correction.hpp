@@ -1,10 +1,13 @@
-// A coarse correction over clusters: one unknown a cluster and band, so that the slow, smooth part of the error
-// does not wait for light to be gathered from room to room and back, whatever the number of ranks.
+// A coarse correction over clusters: one unknown a cluster and band, so that the slow, smooth part
+// of the error does not wait for light to be gathered from room to room and back, whatever the
+// number of ranks.
 //
-// With E the irradiance and K the gathering operator (E = K (M + rho E) + direct), one sweep of the paper's
-// group iteration leaves the residual r = K_stale rho (E_new - E_old), where K_stale holds the links that read
-// a value from before the sweep. Galerkin over clusters, offsets d constant on each:
-//   (S - K) d = K_stale D / S,   S = area, K_cd = sum of A_i F_ij rho_j, D = sum of A (E_new - E_old).
+// With E the irradiance and K the gathering operator (E = K (M + rho E) + direct), one sweep of the
+// paper's group iteration leaves the residual r = K_stale rho (E_new - E_old), where K_stale holds
+// the links that read a value from before the sweep. Galerkin over clusters, offsets d constant on
+// each:
+//   (S - K) d = K_stale D / S,   S = area, K_cd = sum of A_i F_ij rho_j, D = sum of A (E_new -
+//   E_old).
 #pragma once
 
 #include <cstdint>
@@ -28,7 +31,8 @@ struct CoarseRow {
   std::vector<Entry> entries;  ///< by ascending shooter
 };
 
-/// group[cluster] = its unknown. Clusters are unknowns themselves up to `most`; beyond, those of a cell share.
+/// group[cluster] = its unknown. Clusters are unknowns themselves up to `most`; beyond, those of a
+/// cell share.
 std::vector<std::uint32_t> coarse_groups(std::span<const Cluster> clusters, std::size_t most = 512);
 
 /// The coarse system; rows may be added on several ranks and the parts merged.
@@ -36,7 +40,8 @@ class CoarseSystem {
  public:
   CoarseSystem(std::size_t groups, std::size_t bands);
 
-  void add(std::uint32_t group, const CoarseRow& row, std::span<const std::uint32_t> group_of_cluster);
+  void add(std::uint32_t group, const CoarseRow& row,
+           std::span<const std::uint32_t> group_of_cluster);
   void merge(const CoarseSystem& other);
   /// Offsets of the irradiance: [group * bands + band]. Zero where nothing is coupled.
   std::vector<double> solve() const;

@@ -7,11 +7,11 @@
 
 namespace enfilade {
 
-/// Form factor from a differential area at x with unit normal n to a planar convex polygon (front side
-/// counter-clockwise): the share of x's cosine-weighted hemisphere that the polygon fills; dimensionless, in
-/// [0, 1]. The part below x's horizon does not count; zero where x is behind the polygon.
-/// Lambert's formula: F = 1/(2 pi) sum over edges of (angle of the edge seen from x) * (unit normal of the
-/// triangle x, edge) . n.
+/// Form factor from a differential area at x with unit normal n to a planar convex polygon (front
+/// side counter-clockwise): the share of x's cosine-weighted hemisphere that the polygon fills;
+/// dimensionless, in [0, 1]. The part below x's horizon does not count; zero where x is behind the
+/// polygon. Lambert's formula: F = 1/(2 pi) sum over edges of (angle of the edge seen from x) *
+/// (unit normal of the triangle x, edge) . n.
 double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon);
 
 /// The point-to-point kernel cos cos' / (pi r^2), 1/m2; zero where either faces away.

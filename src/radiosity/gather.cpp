@@ -16,8 +16,13 @@ namespace {
 class Gatherer {
  public:
   Gatherer(ClusterState& receiver, std::span<const ClusterState* const> shooters,
-           std::span<const PointLight> lights, const Occluders& occluders, const GatherConfig& config)
-      : receiver_(receiver), lights_(lights), occluders_(occluders), config_(config), estimator_(occluders, result_.work) {
+           std::span<const PointLight> lights, const Occluders& occluders,
+           const GatherConfig& config)
+      : receiver_(receiver),
+        lights_(lights),
+        occluders_(occluders),
+        config_(config),
+        estimator_(occluders, result_.work) {
     shooters_[receiver.id()] = {&receiver.patches(), true, {}};
     for (const ClusterState* s : shooters) {
       shooters_[s->id()] = {&s->patches(), s->iteration() < config.iteration, {}};
@@ -50,7 +55,8 @@ class Gatherer {
   void refine_links();
   void refine(Link link, LinkSet& kept);
   void split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver);
-  void accept(Link link, const LinkSide& shooter, const LinkEstimate& estimate, bool finest, LinkSet& kept);
+  void accept(Link link, const LinkSide& shooter, const LinkEstimate& estimate, bool finest,
+              LinkSet& kept);
   void collect();
   void push_beam(const Link& link, std::span<const float> transport, std::span<const double> light,
                  std::vector<double>& gathered) const;
@@ -61,8 +67,9 @@ class Gatherer {
     return *found->second.patches;
   }
   LinkSide shooter_side(const Link& link) const {
-    return link.is_light() ? LinkSide::of(lights_[link.shooter.root], link.shooter.root)
-                           : LinkSide::of(forest(link.shooter_cluster), link.shooter_cluster, link.shooter);
+    return link.is_light()
+               ? LinkSide::of(lights_[link.shooter.root], link.shooter.root)
+               : LinkSide::of(forest(link.shooter_cluster), link.shooter_cluster, link.shooter);
   }
   LinkSide receiver_side(const Link& link) const {
     return LinkSide::of(receiver_.patches(), receiver_.id(), link.receiver);
@@ -78,8 +85,8 @@ class Gatherer {
   std::vector<Link> pending_;
 };
 
-/// Share of the hemisphere's rays from all over a patch that end on a front side (that gives light).
-/// `rings` * `rings` strata from each quarter of the patch.
+/// Share of the hemisphere's rays from all over a patch that end on a front side (that gives
+/// light). `rings` * `rings` strata from each quarter of the patch.
 double Gatherer::exposure_of(const PatchNode& node, int rings, bool lit_only) {
   const PolygonFrame& frame = receiver_.patches().frames()[node.id.root];
   const std::uint32_t own = occluders_.global(receiver_.id(), node.id.root);
@@ -112,13 +119,14 @@ void Gatherer::look_around() {
   }
 }
 
-/// Adds to each leaf what its row of form factors lacks (or has too much) of the share that it must sum to.
-/// Returns the closed rows' sum over that of the rows as they were.
+/// Adds to each leaf what its row of form factors lacks (or has too much) of the share that it must
+/// sum to. Returns the closed rows' sum over that of the rows as they were.
 double Gatherer::close_rows(std::vector<double>& gathered) {
   PatchForest& patches = receiver_.patches();
   const auto bands = static_cast<std::size_t>(patches.bands());
   const auto terms = static_cast<std::size_t>(patches.terms());
-  // Per node: the row's sum as an affine function, the links' doubt, and their light weighted by it.
+  // Per node: the row's sum as an affine function, the links' doubt, and their light weighted by
+  // it.
   const std::size_t width = terms + 1 + bands;
   std::vector<double> rows(patches.size() * width, 0.0);
   const LinkSet& links = receiver_.links();
@@ -141,14 +149,17 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
       const GroupNode& group = patches.groups()[link.receiver.group()];
       for (std::uint32_t j = group.begin; j < group.end; ++j) {
         const std::uint32_t k = patches.order()[j];
-        const double cosine = glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
+        const double cosine =
+            glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
         if (cosine > 0.0) add(k, transport[0] * cosine, transport[0] * cosine * 0.3);
       }
       continue;
     }
     const std::size_t node = patches.find(link.receiver);
-    // A link that nothing came through takes no share: what is missing comes from where light is seen.
-    add(node, transport[0], transport[0] > 0.0f ? link.error / patches.node(node).shape.area_m2 : 0.0);
+    // A link that nothing came through takes no share: what is missing comes from where light is
+    // seen.
+    add(node, transport[0],
+        transport[0] > 0.0f ? link.error / patches.node(node).shape.area_m2 : 0.0);
     if (terms == 3) {
       rows[node * width + 1] += transport[3];
       rows[node * width + 2] += transport[6];
@@ -190,8 +201,8 @@ double Gatherer::close_rows(std::vector<double>& gathered) {
     closed += node.shape.area_m2 * row[0];
     if (row[terms] <= 0.0) continue;
     const double target = patches.exposure(n);
-    // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one against the
-    // other. A row without an opening sums to 1.
+    // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one
+    // against the other. A row without an opening sums to 1.
     const double doubt = 0.5 * row[terms];
     const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
     const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
@@ -243,7 +254,8 @@ void Gatherer::couple(const Link& link, std::span<const float> transport) {
     return;
   }
   for (std::size_t b = 0; b < bands; ++b) {
-    shooter.coupling[b] += area_factor * shooter.patches->frames()[link.shooter.root].reflectance[b];
+    shooter.coupling[b] +=
+        area_factor * shooter.patches->frames()[link.shooter.root].reflectance[b];
   }
 }
 
@@ -343,9 +355,11 @@ void Gatherer::refine(Link link, LinkSet& kept) {
   if (receiver.is_patch() && receiver_.patches().sealed(receiver.id.root)) bound /= 64.0;
   const bool shooter_is_larger = shooter.radius > receiver.radius;
 
-  // A group receives as one only where that can matter little; it shoots as one where it is not large.
+  // A group receives as one only where that can matter little; it shoots as one where it is not
+  // large.
   if (receiver.is_group() && (receiver.same_node(shooter) || 0.1 * bound > tolerance)) {
-    split(receiver, shooter, !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter));
+    split(receiver, shooter,
+          !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter));
     return;
   }
   if (shooter.is_group() && !receiver.is_group()) {
@@ -371,7 +385,8 @@ void Gatherer::refine(Link link, LinkSet& kept) {
                         (receiver_error > 0.25 * shooter_error && !shooter_is_larger) ||
                         (variation_error < 0.5 * shooter_error && !shooter_is_larger);
   if (receiver.is_group()) split_receiver = !(shooter.is_group() && shooter_is_larger);
-  if (shooter.is_group() && receiver.is_patch() && receiver_error < shooter_error) split_receiver = false;
+  if (shooter.is_group() && receiver.is_patch() && receiver_error < shooter_error)
+    split_receiver = false;
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) split_receiver = !split_receiver;
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) {
     accept(link, shooter, estimate, true, kept);
@@ -459,7 +474,8 @@ void Gatherer::collect() {
     double top = 0.0, variation = 0.0;
     std::fill(light.begin(), light.end(), 0.0);
     if (link.is_light()) {
-      for (std::size_t b = 0; b < bands; ++b) light[b * terms] = lights_[link.shooter.root].intensity[b];
+      for (std::size_t b = 0; b < bands; ++b)
+        light[b * terms] = lights_[link.shooter.root].intensity[b];
     } else {
       const PatchForest& from = forest(link.shooter_cluster);
       if (link.shooter.is_group()) {
@@ -497,7 +513,8 @@ void Gatherer::collect() {
     for (std::size_t b = 0; b < bands; ++b) {
       for (std::size_t r = 0; r < terms; ++r) {
         double sum = 0.0;
-        for (std::size_t s = 0; s < terms; ++s) sum += transport[r * terms + s] * light[b * terms + s];
+        for (std::size_t s = 0; s < terms; ++s)
+          sum += transport[r * terms + s] * light[b * terms + s];
         to[b * terms + r] += sum;
       }
     }
@@ -508,7 +525,8 @@ void Gatherer::collect() {
   for (std::size_t n = 0; n < patches.size(); ++n) {
     for (std::size_t b = 0; b < bands; ++b) {
       before[n * bands + b] = patches.radiosity(n)[b * terms];
-      if (n < patches.polygons()) irradiance_before[n * bands + b] = patches.irradiance(n)[b * terms];
+      if (n < patches.polygons())
+        irradiance_before[n * bands + b] = patches.irradiance(n)[b * terms];
     }
   }
   patches.push_pull(gathered);

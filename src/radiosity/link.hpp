@@ -15,16 +15,17 @@ struct Link {
   ClusterId shooter_cluster;
   PatchId shooter;
   PatchId receiver;
-  float shooter_x = 0.0f, shooter_y = 0.0f;  ///< the shooting patch's centroid, in its polygon's frame
-  float error = 0.0f;      ///< estimated error of the received power (m2) per unit of mean radiosity
+  float shooter_x = 0.0f,
+        shooter_y = 0.0f;  ///< the shooting patch's centroid, in its polygon's frame
+  float error = 0.0f;  ///< estimated error of the received power (m2) per unit of mean radiosity
   float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around it
   bool evaluated = false;  ///< false: its shooter had no light yet, transport is not known
   bool finest = false;     ///< neither side can be split further
   bool is_light() const { return !shooter_cluster.valid(); }
 };
 
-/// The links of one receiving cluster, each with `stride` transport coefficients: receiver term by shooter
-/// term (unit: irradiance per radiosity, 1 for constant-constant).
+/// The links of one receiving cluster, each with `stride` transport coefficients: receiver term by
+/// shooter term (unit: irradiance per radiosity, 1 for constant-constant).
 class LinkSet {
  public:
   LinkSet() = default;

@@ -18,9 +18,9 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
 
 std::uint64_t seed_of(const LinkSide& a, const LinkSide& b) {
   std::uint64_t h = 0x8F1BBCDCull;
-  for (const std::uint64_t x : {std::uint64_t{a.cluster.value}, std::uint64_t{a.id.root},
-                                std::uint64_t{a.id.path}, std::uint64_t{b.cluster.value},
-                                std::uint64_t{b.id.root}, std::uint64_t{b.id.path}}) {
+  for (const std::uint64_t x :
+       {std::uint64_t{a.cluster.value}, std::uint64_t{a.id.root}, std::uint64_t{a.id.path},
+        std::uint64_t{b.cluster.value}, std::uint64_t{b.id.root}, std::uint64_t{b.id.path}}) {
     h = (h ^ x) * 0x9E3779B97F4A7C15ull;
     h ^= h >> 29;
   }
@@ -30,7 +30,8 @@ std::uint64_t seed_of(const LinkSide& a, const LinkSide& b) {
 }  // namespace
 
 double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
-  const double gap = glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius;
+  const double gap =
+      glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius;
   if (shooter.is_light()) {
     return gap > 0.0 ? receiver.area_m2 * shooter.light / (gap * gap) : 1e300;
   }
@@ -86,15 +87,17 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
   return sum;
 }
 
-bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter,
-                             Random& random, std::uint32_t* blocker) {
+bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
+                             int quarter, Random& random, std::uint32_t* blocker) {
   Vec3 y = shooter.center;
   std::uint32_t skip_shooter = RayScene::no_polygon;
   if (shooter.is_patch()) {
-    y = shooter.frame().at(shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
+    y = shooter.frame().at(
+        shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
     skip_shooter = occluders_->global(shooter.cluster, shooter.id.root);
   } else if (shooter.is_group()) {
-    // A polygon by its share of the group's factor, stratified over the quarters, then a point on it.
+    // A polygon by its share of the group's factor, stratified over the quarters, then a point on
+    // it.
     const GroupNode& group = shooter.group();
     double total = 0.0;
     for (const double w : weights_) total += w;
@@ -110,14 +113,16 @@ bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& 
   ++work_->rays;
   if (blocker == nullptr) return !occluders_->rays().occluded(x, y, skip, skip_shooter);
   const double distance = glm::length(y - x);
-  const RayHit hit = occluders_->rays().closest(x, y - x, skip, distance - occluders_->rays().epsilon_m());
+  const RayHit hit =
+      occluders_->rays().closest(x, y - x, skip, distance - occluders_->rays().epsilon_m());
   if (!hit.any() || hit.polygon == skip_shooter) return true;
   *blocker = hit.polygon;
   return false;
 }
 
-LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver, const LinkSide& shooter,
-                                                    double power, double tolerance) {
+LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
+                                                    const LinkSide& shooter, double power,
+                                                    double tolerance) {
   Visibility v;
   Random random(seed_of(receiver, shooter));
   const std::uint32_t skip = occluders_->global(receiver.cluster, receiver.id.root);
@@ -193,7 +198,8 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     mean_factor += 0.25 * e[k];
   }
   const double center = factor_at(frame.at(receiver.shape.centroid), frame.n, shooter, nullptr);
-  // A shooter that only the receiver's rim is in front of: what the corners see bounds what is missed.
+  // A shooter that only the receiver's rim is in front of: what the corners see bounds what is
+  // missed.
   double rim = 0.0;
   if (mean_factor < 0.5 * center || mean_factor == 0.0) {
     for (const Vec3& corner : receiver.corners) {
@@ -209,8 +215,8 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double power = receiver.area_m2 * top * shooter.light;
   const Visibility v = visibility(receiver, shooter, power, tolerance);
 
-  // A small shooter's light peaks between the receiver's points; seen from the shooter the total is plain,
-  // by reciprocity: A_r F_rs = A_s F_sr.
+  // A small shooter's light peaks between the receiver's points; seen from the shooter the total is
+  // plain, by reciprocity: A_r F_rs = A_s F_sr.
   double missed = 0.0;
   if (shooter.is_patch() && shooter.radius < receiver.radius) {
     ++work_->form_factors;
@@ -223,7 +229,8 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     }
   }
 
-  // Affine fit to the four quarters: mean, slopes along the principal axes, and what it leaves over.
+  // Affine fit to the four quarters: mean, slopes along the principal axes, and what it leaves
+  // over.
   double seen = 0.0, mean = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
     seen += 0.25 * v.at[k];
@@ -235,7 +242,8 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double saddle = 0.25 * (e[0] - e[1] - e[2] + e[3]);
   const double bend = center * seen - mean;
   const int terms = receiver.forest->terms();
-  double left_over = 0.5 * std::abs(bend) + 0.7 * std::abs(saddle) + 0.25 * rim * seen + missed * seen;
+  double left_over =
+      0.5 * std::abs(bend) + 0.7 * std::abs(saddle) + 0.25 * rim * seen + missed * seen;
   if (terms == 1) left_over += 0.8 * std::hypot(slope1, slope2);
   out.factor = mean;
   out.receiver_error = receiver.area_m2 * left_over;
@@ -288,9 +296,11 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
       }
       worst = std::max(worst, std::abs(difference));
     }
-    // Never more than if all of the factor fell on the brightest; rounding alone must not make it more.
+    // Never more than if all of the factor fell on the brightest; rounding alone must not make it
+    // more.
     const double share = shooter.variation > 0.0 ? worst / shooter.variation : 0.0;
-    out.variation = receiver.area_m2 * seen * std::clamp(share, 0.02 * mean_factor, 10.0 * mean_factor);
+    out.variation =
+        receiver.area_m2 * seen * std::clamp(share, 0.02 * mean_factor, 10.0 * mean_factor);
   }
   const Vec2 e1 = receiver.shape.long_axis(), e2{-e1.y, e1.x};
   const Vec2 s = receiver.shape.deviations();
@@ -310,14 +320,15 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   return out;
 }
 
-/// A far group receives as one: the irradiance that a plane facing the shooter would get, and from where.
+/// A far group receives as one: the irradiance that a plane facing the shooter would get, and from
+/// where.
 LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkSide& shooter,
                                            double /*tolerance*/) {
   LinkEstimate out;
   const Vec3 toward = glm::normalize(shooter.center - receiver.center);
   weights_.assign(shooter.is_group() ? shooter.group().end - shooter.group().begin : 0, 0.0);
-  const double factor = factor_at(receiver.center, toward, shooter,
-                                  shooter.is_group() ? weights_.data() : nullptr);
+  const double factor =
+      factor_at(receiver.center, toward, shooter, shooter.is_group() ? weights_.data() : nullptr);
   const GroupNode& group = receiver.group();
   double facing_m2 = 0.0;
   weights_.resize(weights_.size());
@@ -344,7 +355,8 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     const PolygonFrame& frame = receiver.forest->frames()[k];
     const Vec3 x = frame.at(receiver.forest->node(k).shape.point_in_quarter(
         static_cast<int>(random.below(4)), random.uniform(), random.uniform()));
-    open += ray_open(x, occluders_->global(receiver.cluster, k), shooter, ray, random, nullptr) ? 1 : 0;
+    open +=
+        ray_open(x, occluders_->global(receiver.cluster, k), shooter, ray, random, nullptr) ? 1 : 0;
   }
   const double seen = open / 4.0;
   out.factor = factor * seen;

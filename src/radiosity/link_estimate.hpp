@@ -1,4 +1,5 @@
-// What one link carries and how wrong that may be: transport, visibility, and an error for either side.
+// What one link carries and how wrong that may be: transport, visibility, and an error for either
+// side.
 #pragma once
 
 #include <array>
@@ -11,16 +12,16 @@
 
 namespace enfilade {
 
-/// A node of a hierarchy as one side of a link. A patch that its owner has not made is cut out of its
-/// ancestor here, with the ancestor's light.
+/// A node of a hierarchy as one side of a link. A patch that its owner has not made is cut out of
+/// its ancestor here, with the ancestor's light.
 struct LinkSide {
   const PatchForest* forest = nullptr;  ///< null: a point light
   ClusterId cluster;
   PatchId id;
-  PatchShape shape;        ///< of a patch
-  Polygon corners;         ///< of a patch in space; of a light its place
+  PatchShape shape;  ///< of a patch
+  Polygon corners;   ///< of a patch in space; of a light its place
   Vec3 center{0.0};
-  double radius = 0.0;     ///< of a ball around the centre that holds it
+  double radius = 0.0;  ///< of a ball around the centre that holds it
   double area_m2 = 0.0;
   double light = 0.0;      ///< mean radiosity, worst band (a light's intensity)
   double variation = 0.0;  ///< RMS variation around the mean, worst band
@@ -36,9 +37,11 @@ struct LinkSide {
   static LinkSide of(const PointLight& light, std::uint32_t number);
 };
 
-/// The outcome for one pair. Errors are received power (m2 times irradiance) per unit of the shooter's light.
+/// The outcome for one pair. Errors are received power (m2 times irradiance) per unit of the
+/// shooter's light.
 struct LinkEstimate {
-  std::array<float, 9> transport{};  ///< receiver term by shooter term; group receiver: {E, direction}
+  std::array<float, 9>
+      transport{};              ///< receiver term by shooter term; group receiver: {E, direction}
   double factor = 0.0;          ///< mean form factor times visibility
   double receiver_error = 0.0;  ///< from what varies over the receiver
   double shooter_error = 0.0;   ///< from visibility that varies over the shooter
@@ -49,9 +52,11 @@ struct LinkEstimate {
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.
 class LinkEstimator {
  public:
-  LinkEstimator(const Occluders& occluders, WorkCount& work) : occluders_(&occluders), work_(&work) {}
+  LinkEstimator(const Occluders& occluders, WorkCount& work)
+      : occluders_(&occluders), work_(&work) {}
 
-  /// `tolerance`: received power below which an error does not matter; it decides how many rays are cast.
+  /// `tolerance`: received power below which an error does not matter; it decides how many rays are
+  /// cast.
   LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   /// Largest power that could arrive, by distance and size alone.
   static double power_bound(const LinkSide& receiver, const LinkSide& shooter);
@@ -66,13 +71,14 @@ class LinkEstimator {
   LinkEstimate evaluate_patch(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   double factor_at(const Vec3& x, const Vec3& n, const LinkSide& shooter, double* per_polygon);
-  Visibility visibility(const LinkSide& receiver, const LinkSide& shooter, double power, double tolerance);
-  bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter, class Random& random,
-                std::uint32_t* blocker);
+  Visibility visibility(const LinkSide& receiver, const LinkSide& shooter, double power,
+                        double tolerance);
+  bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter,
+                class Random& random, std::uint32_t* blocker);
 
   const Occluders* occluders_;
   WorkCount* work_;
-  std::vector<double> weights_;   ///< per polygon of a shooting group
+  std::vector<double> weights_;  ///< per polygon of a shooting group
   Polygon polygon_;
 };
 

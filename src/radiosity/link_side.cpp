@@ -6,7 +6,8 @@
 namespace enfilade {
 namespace {
 
-/// The largest mean over the bands, and the largest RMS variation over a patch (gradient and children).
+/// The largest mean over the bands, and the largest RMS variation over a patch (gradient and
+/// children).
 void fill_light(LinkSide& side, std::size_t node, const Vec2& node_centroid) {
   const PatchForest& forest = *side.forest;
   const std::span<const double> b = forest.radiosity(node);
@@ -48,7 +49,8 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
   for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
   while (missing-- > 0) {
     auto halves = side.shape.bisect();
-    side.shape = ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
+    side.shape =
+        ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
   }
   const PolygonFrame& frame = side.frame();
   side.center = frame.at(side.shape.centroid);

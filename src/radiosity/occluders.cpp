@@ -42,8 +42,8 @@ bool Occluders::shaft_open(const Polygon& a, const Polygon& b, std::uint32_t ski
 }
 
 bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const {
-  // The segments' crossings of the blocker's plane are the convex hull of the corner-to-corner ones, so it is
-  // enough that each of those lies inside the (convex) blocker.
+  // The segments' crossings of the blocker's plane are the convex hull of the corner-to-corner
+  // ones, so it is enough that each of those lies inside the (convex) blocker.
   const Polygon& wall = shafts_->polygon(blocker);
   const Plane plane = plane_of(wall);
   for (const Vec3& p : a) {

@@ -31,8 +31,10 @@ class Occluders {
     return first_[cluster.index()] + polygon;
   }
   PolygonRef local(std::uint32_t global) const { return refs_[global]; }
-  /// True where it is certain that no polygon but skip_a and skip_b meets the convex hull of a and b.
-  bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b) const;
+  /// True where it is certain that no polygon but skip_a and skip_b meets the convex hull of a and
+  /// b.
+  bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
+                  std::uint32_t skip_b) const;
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
   double extent_m() const { return extent_m_; }

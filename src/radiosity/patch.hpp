@@ -13,9 +13,10 @@
 
 namespace enfilade {
 
-/// Names a node of a cluster's hierarchy, the same on every rank whether or not the node has been made there.
-/// A patch: `root` is the polygon's number and `path` the way down from it, a leading 1 then one bit a split.
-/// A group (several polygons of the cluster): `root` is group_bit + the group's number, `path` is 1.
+/// Names a node of a cluster's hierarchy, the same on every rank whether or not the node has been
+/// made there. A patch: `root` is the polygon's number and `path` the way down from it, a leading 1
+/// then one bit a split. A group (several polygons of the cluster): `root` is group_bit + the
+/// group's number, `path` is 1.
 struct PatchId {
   static constexpr std::uint32_t group_bit = 0x80000000u;
   std::uint32_t root = 0;
@@ -35,15 +36,18 @@ struct PatchShape {
   double cxx = 0.0, cxy = 0.0, cyy = 0.0;  ///< covariance of the area, m2
 
   static PatchShape from(std::vector<Vec2> vertices);
-  /// Unit direction of the greatest extent (first principal axis); the frame's own axis where there is none.
+  /// Unit direction of the greatest extent (first principal axis); the frame's own axis where there
+  /// is none.
   Vec2 long_axis() const;
   /// The two halves, cut through the centroid across the longest axis; deterministic.
   std::pair<PatchShape, PatchShape> bisect() const;
-  /// Four points at centroid +- s1 e1 +- s2 e2 (e principal axes, s standard deviations), each with a quarter
-  /// of the area: exact for quadratics on any polygon, and on a rectangle the 2 x 2 Gauss rule.
+  /// Four points at centroid +- s1 e1 +- s2 e2 (e principal axes, s standard deviations), each with
+  /// a quarter of the area: exact for quadratics on any polygon, and on a rectangle the 2 x 2 Gauss
+  /// rule.
   std::array<Vec2, 4> quadrature() const;
-  /// A point in quarter 0 .. 3 of the area, r1 and r2 in [0, 1): evenly spread where the patch is a rectangle,
-  /// else the quadrature point wherever the rectangle of the same moments reaches out of the patch.
+  /// A point in quarter 0 .. 3 of the area, r1 and r2 in [0, 1): evenly spread where the patch is a
+  /// rectangle, else the quadrature point wherever the rectangle of the same moments reaches out of
+  /// the patch.
   Vec2 point_in_quarter(int quarter, double r1, double r2) const;
   /// sqrt of the covariance along the principal axes: (s1, s2), metres.
   Vec2 deviations() const;
@@ -65,7 +69,7 @@ struct PatchNode {
   PatchId id;
   std::int32_t parent = -1;
   std::int32_t first_child = -1;
-  Vec2 split_axis{0.0};    ///< the second child lies where dot(split_axis, p) >= split_at
+  Vec2 split_axis{0.0};  ///< the second child lies where dot(split_axis, p) >= split_at
   double split_at = 0.0;
   bool leaf() const { return first_child < 0; }
 };
@@ -78,8 +82,9 @@ struct GroupNode {
   double area_m2 = 0.0;
 };
 
-/// All nodes of a cluster. Light is kept per node, band and coefficient: value at the centroid, and for the
-/// linear basis the gradient along the polygon's axes, so index = (node * bands + band) * terms + term.
+/// All nodes of a cluster. Light is kept per node, band and coefficient: value at the centroid, and
+/// for the linear basis the gradient along the polygon's axes, so index = (node * bands + band) *
+/// terms + term.
 class PatchForest {
  public:
   PatchForest() = default;
@@ -97,22 +102,24 @@ class PatchForest {
 
   /// The node with this path, or its deepest ancestor that has been made.
   std::size_t find(PatchId id) const;
-  /// Makes the two children of a leaf; their light is the parent's, restricted. Returns the first child.
+  /// Makes the two children of a leaf; their light is the parent's, restricted. Returns the first
+  /// child.
   std::size_t subdivide(std::size_t leaf);
 
   std::span<double> radiosity(std::size_t node) { return row(radiosity_, node); }
   std::span<const double> radiosity(std::size_t node) const { return row(radiosity_, node); }
   std::span<double> irradiance(std::size_t node) { return row(irradiance_, node); }
   std::span<const double> irradiance(std::size_t node) const { return row(irradiance_, node); }
-  /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays; negative = not
-  /// looked at yet.
+  /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays;
+  /// negative = not looked at yet.
   float exposure(std::size_t node) const { return exposure_[node]; }
   void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
   /// No ray from the polygon ended on a front side, as inside a wall.
   bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
   void seal(std::size_t polygon) { sealed_[polygon] = 1; }
 
-  /// Mean radiosity per band of a group's polygons, by area, and its RMS spread among them (worst band).
+  /// Mean radiosity per band of a group's polygons, by area, and its RMS spread among them (worst
+  /// band).
   std::span<const double> group_radiosity(std::size_t group) const {
     return {group_radiosity_.data() + group * static_cast<std::size_t>(bands_),
             static_cast<std::size_t>(bands_)};
@@ -123,12 +130,13 @@ class PatchForest {
   /// RMS over the node of radiosity minus its own affine function: what its children know better.
   double deviation(std::size_t node) const { return deviation_[node]; }
 
-  /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the roots
-  /// (area-weighted, exact for the basis). `gathered` is indexed like the light.
+  /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
+  /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
   /// Adds `irradiance` (per band) to every node, and its reflection to the radiosity.
   void offset(std::span<const double> irradiance);
-  /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its plane.
+  /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
+  /// plane.
   void evaluate(bool radiosity, std::size_t polygon, const Vec3& p, std::span<double> out) const;
 
  private:
@@ -139,7 +147,9 @@ class PatchForest {
   std::span<const double> row(const std::vector<double>& a, std::size_t i) const {
     return {a.data() + i * stride(), stride()};
   }
-  std::size_t stride() const { return static_cast<std::size_t>(bands_) * static_cast<std::size_t>(terms_); }
+  std::size_t stride() const {
+    return static_cast<std::size_t>(bands_) * static_cast<std::size_t>(terms_);
+  }
 
   int bands_ = 1, terms_ = 1;
   std::vector<PolygonFrame> frames_;

@@ -7,7 +7,8 @@
 
 namespace enfilade {
 
-PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands, int terms)
+PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands,
+                         int terms)
     : bands_(bands), terms_(terms), frames_(std::move(frames)), order_(frames_.size()) {
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     std::vector<Vec2> corners;
@@ -127,7 +128,8 @@ void PatchForest::push_pull(std::span<const double> gathered) {
       for (std::size_t t = 0; t < n; ++t) irradiance_[c * n + t] += irradiance_[i * n + t];
       if (terms_ != 3) continue;
       for (std::size_t b = 0; b < n; b += 3) {
-        irradiance_[c * n + b] += irradiance_[i * n + b + 1] * shift.x + irradiance_[i * n + b + 2] * shift.y;
+        irradiance_[c * n + b] +=
+            irradiance_[i * n + b + 1] * shift.x + irradiance_[i * n + b + 2] * shift.y;
       }
     }
   }
@@ -156,14 +158,15 @@ void PatchForest::push_pull(std::span<const double> gathered) {
             const std::size_t c = static_cast<std::size_t>(parent.first_child + side);
             const PatchShape& s = nodes_[c].shape;
             const double* e = irradiance_.data() + c * n + at;
-            moment += weight[side] * (e[0] * shift[side] +
-                                      Vec2(s.cxx * e[1] + s.cxy * e[2], s.cxy * e[1] + s.cyy * e[2]));
+            moment += weight[side] * (e[0] * shift[side] + Vec2(s.cxx * e[1] + s.cxy * e[2],
+                                                                s.cxy * e[1] + s.cyy * e[2]));
           }
           const double determinant = p.cxx * p.cyy - p.cxy * p.cxy;
           const double trace = p.cxx + p.cyy;
           if (determinant > 1e-14 * trace * trace) {
-            gradient = Vec2(p.cyy * moment.x - p.cxy * moment.y, p.cxx * moment.y - p.cxy * moment.x) /
-                       determinant;
+            gradient =
+                Vec2(p.cyy * moment.x - p.cxy * moment.y, p.cxx * moment.y - p.cxy * moment.x) /
+                determinant;
           } else if (trace > 0.0) {
             gradient = moment / trace;  // a needle: only along its length
           }
@@ -220,8 +223,10 @@ void PatchForest::pull_groups() {
       }
       const double mean = group.area_m2 > 0.0 ? sum / group.area_m2 : 0.0;
       group_radiosity_[g * bands + band] = mean;
-      group_spread_[g] =
-          std::max(group_spread_[g], std::sqrt(group.area_m2 > 0.0 ? std::max(0.0, square / group.area_m2 - mean * mean) : 0.0));
+      group_spread_[g] = std::max(
+          group_spread_[g],
+          std::sqrt(group.area_m2 > 0.0 ? std::max(0.0, square / group.area_m2 - mean * mean)
+                                        : 0.0));
     }
   }
 }
@@ -244,7 +249,8 @@ void PatchForest::evaluate(bool of_radiosity, std::size_t polygon, const Vec3& p
   std::size_t node = polygon;
   while (!nodes_[node].leaf()) {
     const PatchNode& at = nodes_[node];
-    node = static_cast<std::size_t>(at.first_child) + (glm::dot(at.split_axis, q) >= at.split_at ? 1 : 0);
+    node = static_cast<std::size_t>(at.first_child) +
+           (glm::dot(at.split_axis, q) >= at.split_at ? 1 : 0);
   }
   const std::vector<double>& light = of_radiosity ? radiosity_ : irradiance_;
   const Vec2 shift = q - nodes_[node].shape.centroid;

@@ -9,8 +9,8 @@ namespace {
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// The parts of a convex polygon where dot(axis, p) is below and above `at`.
-std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices, const Vec2& axis,
-                                                    double at) {
+std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices,
+                                                    const Vec2& axis, double at) {
   std::vector<Vec2> below, above;
   Vec2 a = vertices.back();
   double side_a = glm::dot(axis, a) - at;

@@ -36,9 +36,11 @@ struct PointGather::Impl {
   int bands = 1;
 
   void choose_bright();
-  void add_bright(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random, Spectrum& e) const;
+  void add_bright(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
+                  Spectrum& e) const;
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& e) const;
-  void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random, Spectrum& e) const;
+  void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
+                      Spectrum& e) const;
   double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const BrightPolygon& b,
                         const PatchShape& shape, double threshold, int depth, Random& random) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
@@ -50,7 +52,8 @@ void PointGather::Impl::choose_bright() {
   auto top = [&](const PatchForest& f, std::size_t k) {
     double b = 0.0;
     const auto terms = static_cast<std::size_t>(f.terms());
-    for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms) b = std::max(b, f.radiosity(k)[i]);
+    for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms)
+      b = std::max(b, f.radiosity(k)[i]);
     return b;
   };
   std::size_t polygons = 0;
@@ -75,11 +78,11 @@ void PointGather::Impl::choose_bright() {
   }
 }
 
-/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two until they
-/// matter less than the threshold.
+/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
+/// until they matter less than the threshold.
 double PointGather::Impl::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                         const BrightPolygon& b, const PatchShape& shape, double threshold,
-                                         int depth, Random& random) const {
+                                         const BrightPolygon& b, const PatchShape& shape,
+                                         double threshold, int depth, Random& random) const {
   const PolygonFrame& frame = b.forest->frames()[b.k];
   Polygon corners;
   for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
@@ -122,15 +125,16 @@ void PointGather::Impl::add_bright(const Vec3& p, const Vec3& n, std::uint32_t o
     if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
     const BrightPolygon& b = bright[i];
     const double light = b.forest->radiosity(b.k)[0];
-    const double factor = visible_factor(p, n, own, b, b.forest->node(b.k).shape,
-                                         5e-4 * total / light, 0, random);
+    const double factor =
+        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / light, 0, random);
     for (std::size_t band = 0; band < e.size(); ++band) {
       e[band] += factor * b.forest->radiosity(b.k)[band * terms];
     }
   }
 }
 
-void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& e) const {
+void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                   Spectrum& e) const {
   for (const PointLight& light : lights) {
     const Vec3 d = light.p - p;
     const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
@@ -141,9 +145,10 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
   }
 }
 
-/// Everything else: cosine-weighted rays, one in each stratum of the disc below the hemisphere (Nusselt).
-void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                                       Spectrum& e) const {
+/// Everything else: cosine-weighted rays, one in each stratum of the disc below the hemisphere
+/// (Nusselt).
+void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                       Random& random, Spectrum& e) const {
   const auto [u, v] = axes_of(n);
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   Spectrum sum(e.size(), 0.0);
@@ -157,7 +162,8 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
       const RayHit hit = occluders->rays().closest(p, d, own);
       if (!hit.any() || !hit.front || is_bright[hit.polygon]) continue;
       const PolygonRef ref = occluders->local(hit.polygon);
-      clusters[ref.cluster.index()].patches().evaluate(true, ref.polygon, p + hit.distance_m * d, b);
+      clusters[ref.cluster.index()].patches().evaluate(true, ref.polygon, p + hit.distance_m * d,
+                                                       b);
       for (std::size_t band = 0; band < e.size(); ++band) sum[band] += b[band];
     }
   }
@@ -167,7 +173,8 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
 /// The polygon that p lies on with the same facing, within the rays' blind distance; else none.
 std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const {
   const double reach = 4.0 * occluders->rays().epsilon_m();
-  const RayHit hit = occluders->rays().closest(p + reach * n, -n, RayScene::no_polygon, 2.0 * reach);
+  const RayHit hit =
+      occluders->rays().closest(p + reach * n, -n, RayScene::no_polygon, 2.0 * reach);
   return hit.any() && hit.front ? hit.polygon : RayScene::no_polygon;
 }
 

@@ -11,7 +11,7 @@
 namespace enfilade {
 
 struct PointGatherConfig {
-  int rays = 4096;            ///< over the hemisphere
+  int rays = 4096;  ///< over the hemisphere
   std::uint64_t seed = 1;
 };
 
@@ -24,7 +24,8 @@ class PointGather {
 
   /// Irradiance per band at p on a plane with unit normal n, by a gather from every patch in view.
   Spectrum irradiance(const Vec3& p, const Vec3& n) const;
-  /// Irradiance per band as the patch's own basis has it at p: the nearest surface below p (against n).
+  /// Irradiance per band as the patch's own basis has it at p: the nearest surface below p (against
+  /// n).
   Spectrum from_patches(const Vec3& p, const Vec3& n) const;
   /// Radiosity per band of polygon `polygon` (global number) at point p on it.
   Spectrum radiosity(std::uint32_t polygon, const Vec3& p) const;

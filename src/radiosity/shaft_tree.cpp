@@ -6,7 +6,8 @@
 namespace enfilade {
 namespace {
 
-/// Adds the planes through an edge of `from` and a vertex of `to` that have both polygons behind them.
+/// Adds the planes through an edge of `from` and a vertex of `to` that have both polygons behind
+/// them.
 void add_support_planes(const Polygon& from, const Polygon& to, double tolerance_m,
                         std::vector<Plane>& planes) {
   for (std::size_t i = 0; i < from.size() && from.size() > 1; ++i) {
@@ -53,7 +54,8 @@ bool reaches_into(const Polygon& polygon, std::span<const Plane> shaft, double t
     double side_a = glm::dot(plane.n, a) - d;
     for (const Vec3& b : current) {
       const double side_b = glm::dot(plane.n, b) - d;
-      if ((side_a < 0.0) != (side_b < 0.0)) next.push_back(a + (b - a) * (side_a / (side_a - side_b)));
+      if ((side_a < 0.0) != (side_b < 0.0))
+        next.push_back(a + (b - a) * (side_a / (side_a - side_b)));
       if (side_b < 0.0) next.push_back(b);
       a = b;
       side_a = side_b;
@@ -98,7 +100,8 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   nodes_[index].end = end;
   if (end - begin <= 4) return index;
   const Vec3 extent = centers.extent();
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+  const int axis =
+      extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](std::uint32_t i, std::uint32_t j) {

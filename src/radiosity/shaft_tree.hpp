@@ -9,8 +9,9 @@
 
 namespace enfilade {
 
-/// The convex hull of two convex polygons, as half-spaces; inside is where every signed distance <= 0.
-/// Only what lies in front of both polygons counts, since light between their front sides stays there.
+/// The convex hull of two convex polygons, as half-spaces; inside is where every signed distance <=
+/// 0. Only what lies in front of both polygons counts, since light between their front sides stays
+/// there.
 std::vector<Plane> shaft_between(const Polygon& a, const Polygon& b, double tolerance_m);
 
 /// A bounding-volume tree over polygons that answers shaft queries.
@@ -26,7 +27,7 @@ class ShaftTree {
  private:
   struct Node {
     Box box;
-    std::uint32_t begin = 0, end = 0;   // polygons, at a leaf
+    std::uint32_t begin = 0, end = 0;  // polygons, at a leaf
     std::int32_t left = -1, right = -1;
   };
   std::int32_t build(std::uint32_t begin, std::uint32_t end);

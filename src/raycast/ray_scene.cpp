@@ -91,9 +91,8 @@ void RayScene::Impl::build(std::span<const Polygon> polygons) {
   if (triangles > 0) {
     auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* index = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), triangles));
+    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
     if (xyz == nullptr || index == nullptr) throw RunError("not enough memory for the ray tracer");
     std::uint32_t first = 0;
     for (std::size_t k = 0; k < polygons.size(); ++k) {
@@ -162,7 +161,8 @@ RayHit RayScene::closest(const Vec3& from, const Vec3& direction, std::uint32_t 
 double RayScene::epsilon_m() const { return impl_->epsilon; }
 
 std::size_t RayScene::bytes() const {
-  // Embree's BVH takes about 100 bytes a triangle beside the vertices (measured with its memory monitor).
+  // Embree's BVH takes about 100 bytes a triangle beside the vertices (measured with its memory
+  // monitor).
   return impl_->polygon_of_triangle.size() * (100 + 12 + 36) + impl_->normals.size() * sizeof(Vec3);
 }
 

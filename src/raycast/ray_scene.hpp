@@ -19,8 +19,9 @@ struct RayHit {
   bool any() const { return polygon != 0xFFFFFFFFu; }
 };
 
-/// Convex polygons in an Embree BVH, in robust mode, with coordinates shifted to their centre so that single
-/// precision is relative to the scene's size and not to its place. Polygons block from both sides.
+/// Convex polygons in an Embree BVH, in robust mode, with coordinates shifted to their centre so
+/// that single precision is relative to the scene's size and not to its place. Polygons block from
+/// both sides.
 class RayScene {
  public:
   static constexpr std::uint32_t no_polygon = 0xFFFFFFFFu;
@@ -33,10 +34,12 @@ class RayScene {
   /// Is there anything between a and b, other than the polygons numbered skip_a and skip_b?
   bool occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a = no_polygon,
                 std::uint32_t skip_b = no_polygon) const;
-  /// First hit from `from` along `direction` (any length), beyond `epsilon_m()`, skipping polygon `skip`.
+  /// First hit from `from` along `direction` (any length), beyond `epsilon_m()`, skipping polygon
+  /// `skip`.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30) const;
-  /// Rays are blind this close to their ends: about the single-precision step at the scene's extent.
+  /// Rays are blind this close to their ends: about the single-precision step at the scene's
+  /// extent.
   double epsilon_m() const;
   std::size_t bytes() const;
 

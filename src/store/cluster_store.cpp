@@ -4,7 +4,8 @@
 
 namespace enfilade {
 
-ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine)
+ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters,
+                           Machine& machine)
     : layout_(layout),
       local_directory_(layout.local_of(rank)),
       machine_(machine),
@@ -79,8 +80,9 @@ SectionFile ClusterStore::read_links(ClusterId id) {
               RunLayout::links(directory, id, links_slot_[id.index()]), id, Section::links);
 }
 
-void ClusterStore::write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
-                         std::span<const std::byte> links, const RecordCount& links_count) {
+void ClusterStore::write(ClusterId id, std::span<const std::byte> patches,
+                         const RecordCount& patches_count, std::span<const std::byte> links,
+                         const RecordCount& links_count) {
   Local& local = local_[id];
   Slot& links_slot = links_slot_[id.index()];
   const auto iteration = static_cast<std::uint32_t>(committed_ + 1);
@@ -90,8 +92,9 @@ void ClusterStore::write(ClusterId id, std::span<const std::byte> patches, const
     local.links_bytes = put(Disk::local, RunLayout::links(local_directory_, id, links_slot),
                             {id, Section::links, iteration, links_slot, links_count}, links);
   }
-  local.patches_bytes = put(Disk::local, RunLayout::patches(local_directory_, id, other(committed_slot())),
-                            {id, Section::patches, iteration, links_slot, patches_count}, patches);
+  local.patches_bytes =
+      put(Disk::local, RunLayout::patches(local_directory_, id, other(committed_slot())),
+          {id, Section::patches, iteration, links_slot, patches_count}, patches);
 }
 
 void ClusterStore::move_to_common() {
@@ -101,10 +104,12 @@ void ClusterStore::move_to_common() {
   for (const auto& [id, local] : local_) {
     const Slot links_slot = links_slot_[id.index()];
     if (local.links) {
-      exchange_file(RunLayout::links(local_directory_, id, links_slot), RunLayout::links(common, id, links_slot));
+      exchange_file(RunLayout::links(local_directory_, id, links_slot),
+                    RunLayout::links(common, id, links_slot));
       machine_.move_to_common(id.value, local.links_bytes);
     }
-    exchange_file(RunLayout::patches(local_directory_, id, slot), RunLayout::patches(common, id, slot));
+    exchange_file(RunLayout::patches(local_directory_, id, slot),
+                  RunLayout::patches(common, id, slot));
     machine_.move_to_common(id.value, local.patches_bytes);
   }
   local_.clear();

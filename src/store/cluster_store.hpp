@@ -1,5 +1,5 @@
-// One rank's way to the cluster files: reads from the common directory, writes to its local one, moves the
-// files over at the end of an iteration (§3.2, figure 2).
+// One rank's way to the cluster files: reads from the common directory, writes to its local one,
+// moves the files over at the end of an iteration (§3.2, figure 2).
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,17 @@ struct StoreCount {
   std::uint64_t files_read = 0, files_written = 0;
 };
 
-/// While iteration k is under way, others' clusters are read as iteration k-1 committed them, and those that
-/// this rank has gathered already, from its local directory. Iteration k moves into the slot that k-1 does not
-/// use; only the manifest makes it the committed one. So a crash at any moment leaves k-1 whole.
+/// While iteration k is under way, others' clusters are read as iteration k-1 committed them, and
+/// those that this rank has gathered already, from its local directory. Iteration k moves into the
+/// slot that k-1 does not use; only the manifest makes it the committed one. So a crash at any
+/// moment leaves k-1 whole.
 class ClusterStore {
  public:
   /// Makes the rank's local directory, empty.
   ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
 
-  /// Writes a cluster as the state before the first iteration, straight into the common directory. That is
-  /// the end of the preparation, not part of the run: it is neither charged nor counted.
+  /// Writes a cluster as the state before the first iteration, straight into the common directory.
+  /// That is the end of the preparation, not part of the run: it is neither charged nor counted.
   void write_initial(const ClusterState& state);
   /// From now on `iteration` is the committed one.
   void set_committed(int iteration) { committed_ = iteration; }
@@ -66,8 +67,8 @@ class ClusterStore {
   std::string local_directory_;
   Machine& machine_;
   int committed_ = 0;
-  std::vector<Slot> links_slot_;       ///< of the newest links, by cluster
-  std::map<ClusterId, Local> local_;   ///< what was written in this iteration
+  std::vector<Slot> links_slot_;      ///< of the newest links, by cluster
+  std::map<ClusterId, Local> local_;  ///< what was written in this iteration
   StoreCount count_;
 };
 

@@ -11,7 +11,8 @@
 namespace enfilade {
 namespace {
 
-/// JSON has no infinity (the error of a link that nothing is known about yet): the largest number stands for it.
+/// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
+/// stands for it.
 std::vector<double> finite(std::vector<double> numbers) {
   for (double& x : numbers) {
     if (!std::isfinite(x)) x = std::copysign(std::numeric_limits<double>::max(), x);
@@ -26,8 +27,9 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const std::vector<std::byte> bytes = read_file(path);
   try {
-    const auto json = nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
-                                            reinterpret_cast<const char*>(bytes.data() + bytes.size()));
+    const auto json =
+        nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
+                              reinterpret_cast<const char*>(bytes.data() + bytes.size()));
     if (json.at("format") != "enfilade-manifest" || json.at("version") != 1) {
       throw RunError(path + ": not a manifest of version 1; solve again without --resume");
     }
@@ -54,17 +56,17 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
   std::vector<std::vector<double>> history;
   for (const auto& numbers : m.history) history.push_back(finite(numbers));
   const nlohmann::ordered_json json = {{"format", "enfilade-manifest"},
-                                 {"version", 1},
-                                 {"iteration", m.iteration},
-                                 {"clusters", m.clusters},
-                                 {"basis", m.basis == Basis::linear ? "linear" : "constant"},
-                                 {"scene_hash", hash},
-                                 {"finished", m.finished},
-                                 {"history", history},
-                                 {"correction", finite(m.correction)},
-                                 {"group_of_cluster", m.group_of_cluster}};
-  // An iteration under way must outlive the death of its processes, which the page cache does; a finished run
-  // must outlive the machine's as well.
+                                       {"version", 1},
+                                       {"iteration", m.iteration},
+                                       {"clusters", m.clusters},
+                                       {"basis", m.basis == Basis::linear ? "linear" : "constant"},
+                                       {"scene_hash", hash},
+                                       {"finished", m.finished},
+                                       {"history", history},
+                                       {"correction", finite(m.correction)},
+                                       {"group_of_cluster", m.group_of_cluster}};
+  // An iteration under way must outlive the death of its processes, which the page cache does; a
+  // finished run must outlive the machine's as well.
   if (m.finished) flush_to_disk(layout.common());
   replace_file(layout.manifest(), json.dump() + "\n");
   if (m.finished) flush_to_disk(layout.common());
@@ -73,7 +75,9 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
 void remove_manifest(const RunLayout& layout) {
   std::error_code code;
   std::filesystem::remove(layout.manifest(), code);
-  if (code) throw RunError(layout.manifest() + ": cannot be removed: " + code.message() + "; see to its permissions");
+  if (code)
+    throw RunError(layout.manifest() + ": cannot be removed: " + code.message() +
+                   "; see to its permissions");
 }
 
 }  // namespace enfilade

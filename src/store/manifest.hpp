@@ -1,4 +1,5 @@
-// Which iteration of a RUN is committed. Written last and at once, it is what makes an iteration real.
+// Which iteration of a RUN is committed. Written last and at once, it is what makes an iteration
+// real.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +13,11 @@
 namespace enfilade {
 
 struct Manifest {
-  int iteration = 0;             ///< last committed one; 0 = the state before the first
+  int iteration = 0;  ///< last committed one; 0 = the state before the first
   std::size_t clusters = 0;
   Basis basis = Basis::constant;
   std::uint64_t scene_hash = 0;
-  bool finished = false;         ///< the run has ended
+  bool finished = false;  ///< the run has ended
   /// What the iterations did, in numbers that `parallel` understands; needed to go on.
   std::vector<std::vector<double>> history;
   /// What the next iteration corrects this one's light by; may be empty.

@@ -37,7 +37,8 @@ std::string remedy(int code) {
 /// Closes what was opened.
 class Descriptor {
  public:
-  Descriptor(const std::string& path, int flags, const char* doing) : fd_(::open(path.c_str(), flags, 0644)) {
+  Descriptor(const std::string& path, int flags, const char* doing)
+      : fd_(::open(path.c_str(), flags, 0644)) {
     if (fd_ < 0) fail(path, doing, errno);
   }
   ~Descriptor() {
@@ -82,8 +83,10 @@ std::vector<std::byte> read_file(const std::string& path) {
   return bytes;
 }
 
-void write_file(const std::string& path, std::span<const std::byte> head, std::span<const std::byte> body) {
-  // Over the old content rather than into a new file: creating one costs a file system a hundred times more.
+void write_file(const std::string& path, std::span<const std::byte> head,
+                std::span<const std::byte> body) {
+  // Over the old content rather than into a new file: creating one costs a file system a hundred
+  // times more.
   const Descriptor file(path, O_WRONLY | O_CREAT | O_CLOEXEC, "cannot be written");
   write_all(file.get(), path, head);
   write_all(file.get(), path, body);
@@ -112,7 +115,8 @@ void move_file(const std::string& from, const std::string& to) {
 void replace_file(const std::string& path, const std::string& text) {
   const std::string temporary = path + ".new";
   write_file(temporary, std::as_bytes(std::span(text)), {});
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot be put in place", errno);
+  if (std::rename(temporary.c_str(), path.c_str()) != 0)
+    fail(path, "cannot be put in place", errno);
 }
 
 void flush_to_disk(const std::string& directory) {

@@ -23,7 +23,8 @@ RecordCount links_record(const ClusterState& state) {
 
 }  // namespace
 
-ResidentClusters::ResidentClusters(ClusterStore& store, Machine& machine, std::uint64_t budget_bytes)
+ResidentClusters::ResidentClusters(ClusterStore& store, Machine& machine,
+                                   std::uint64_t budget_bytes)
     : store_(store), machine_(machine), budget_bytes_(budget_bytes) {
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
@@ -74,7 +75,8 @@ void ResidentClusters::load(ClusterId id, Entry& entry) {
   const std::vector<std::byte> geometry =
       entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
   const SectionFile patches = store_.read_patches(id);
-  entry.state = std::make_unique<ClusterState>(geometry, patches.bytes, std::span<const std::byte>());
+  entry.state =
+      std::make_unique<ClusterState>(geometry, patches.bytes, std::span<const std::byte>());
   entry.has_links = entry.corrected = false;
   entry.iteration = static_cast<int>(patches.info.iteration);
   measure(entry);
@@ -85,8 +87,8 @@ void ResidentClusters::set_correction(std::function<void(ClusterState&)> correct
   for (auto& [id, entry] : entries_) entry.corrected = false;
 }
 
-/// Files hold what the gathers brought; the correction that belongs to the committed iteration is applied to
-/// what comes from them, and to what stayed in memory.
+/// Files hold what the gathers brought; the correction that belongs to the committed iteration is
+/// applied to what comes from them, and to what stayed in memory.
 void ResidentClusters::correct(Entry& entry) {
   if (!correction_ || entry.corrected || entry.iteration != store_.committed()) return;
   correction_(*entry.state);
@@ -95,8 +97,9 @@ void ResidentClusters::correct(Entry& entry) {
 
 void ResidentClusters::load_links(ClusterId id, Entry& entry) {
   const SectionFile links = store_.read_links(id);
-  entry.state = std::make_unique<ClusterState>(entry.state->bytes_of(Section::geometry),
-                                               entry.state->bytes_of(Section::patches), links.bytes);
+  entry.state =
+      std::make_unique<ClusterState>(entry.state->bytes_of(Section::geometry),
+                                     entry.state->bytes_of(Section::patches), links.bytes);
   entry.has_links = true;
   entry.links_checksum = checksum(links.bytes);
   measure(entry);
@@ -125,8 +128,8 @@ const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
   if (!entry.previous) {
     const std::vector<std::byte> geometry =
         entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
-    entry.previous = std::make_unique<ClusterState>(geometry, store_.read_committed_patches(id).bytes,
-                                                    std::span<const std::byte>());
+    entry.previous = std::make_unique<ClusterState>(
+        geometry, store_.read_committed_patches(id).bytes, std::span<const std::byte>());
     if (correction_) correction_(*entry.previous);
     if (!entry.state) load(id, entry);
     measure(entry);
@@ -165,7 +168,8 @@ const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
 
 void ResidentClusters::write_receiver(ClusterId id) {
   Entry& entry = entries_.at(id);
-  RecordCount patches_count = shooter_record(*entry.state), links_count = links_record(*entry.state);
+  RecordCount patches_count = shooter_record(*entry.state),
+              links_count = links_record(*entry.state);
   patches_count.surfaces = 0;
   const std::vector<std::byte> patches = entry.state->bytes_of(Section::patches);
   std::vector<std::byte> links = entry.state->bytes_of(Section::links);

@@ -14,17 +14,17 @@
 namespace enfilade {
 
 struct ResidencyCount {
-  std::uint64_t peak_bytes = 0;         ///< of clusters in memory at once
+  std::uint64_t peak_bytes = 0;  ///< of clusters in memory at once
   std::uint64_t hits = 0, loads = 0, evictions = 0;
-  /// Most by which the budget was passed: by the last cluster that came in before others could go, or by a
-  /// gather that needs more at once than there is.
+  /// Most by which the budget was passed: by the last cluster that came in before others could go,
+  /// or by a gather that needs more at once than there is.
   std::uint64_t over_budget_bytes = 0;
 };
 
-/// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which only its
-/// own gather needs, once an iteration. Under pressure that part goes first whose next use lies farthest
-/// ahead; since CYCLE is known, so is that (Belady's rule, which no other can beat). Nothing is ever written
-/// on eviction: a gathered cluster is in its file already.
+/// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
+/// only its own gather needs, once an iteration. Under pressure that part goes first whose next use
+/// lies farthest ahead; since CYCLE is known, so is that (Belady's rule, which no other can beat).
+/// Nothing is ever written on eviction: a gathered cluster is in its file already.
 class ResidentClusters {
  public:
   /// When a cluster (or its links) will be used next; larger is later.
@@ -39,14 +39,15 @@ class ResidentClusters {
   /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
   void adopt(ClusterState state);
 
-  /// While `committed_only`, shooters are as the last iteration committed them, this rank's own included: what
-  /// is gathered then does not depend on who gathers it, or when.
+  /// While `committed_only`, shooters are as the last iteration committed them, this rank's own
+  /// included: what is gathered then does not depend on who gathers it, or when.
   void set_committed_only(bool committed_only);
 
   /// Both keep the cluster in memory until unpin(). References stay valid until then.
   ClusterState& pin_receiver(ClusterId id);
   const ClusterState& pin_shooter(ClusterId id);
-  /// After its gather: writes the receiver to the local directory (its links only where they changed).
+  /// After its gather: writes the receiver to the local directory (its links only where they
+  /// changed).
   void write_receiver(ClusterId id);
   /// Ends all pins and evicts down to the budget.
   void unpin();
@@ -61,8 +62,8 @@ class ResidentClusters {
     std::unique_ptr<ClusterState> state;
     std::unique_ptr<ClusterState> previous;  ///< as committed, once it has been gathered for
     bool has_links = false, pinned = false, corrected = false;
-    int iteration = 0;                   ///< that these patches are of
-    std::uint64_t links_checksum = 0;    ///< of the links in the file
+    int iteration = 0;                 ///< that these patches are of
+    std::uint64_t links_checksum = 0;  ///< of the links in the file
     std::uint64_t shooter_bytes = 0, links_bytes = 0;
   };
   Entry& pin(ClusterId id);

@@ -8,10 +8,10 @@
 
 namespace enfilade {
 
-/// The three sections of a cluster (radiosity/cluster_state.hpp) change at three rates, so each has its own
-/// file: geometry never, patches with every iteration, links only where they were refined. That keeps an
-/// iteration's writing down to the light. Patches and links have two slots, so that the files of one
-/// iteration never overwrite those of the one before.
+/// The three sections of a cluster (radiosity/cluster_state.hpp) change at three rates, so each has
+/// its own file: geometry never, patches with every iteration, links only where they were refined.
+/// That keeps an iteration's writing down to the light. Patches and links have two slots, so that
+/// the files of one iteration never overwrite those of the one before.
 enum class Slot : std::uint8_t { a = 0, b = 1 };
 inline Slot other(Slot slot) { return slot == Slot::a ? Slot::b : Slot::a; }
 

@@ -40,9 +40,12 @@ std::uint64_t header_checksum(const Header& h) {
 
 }  // namespace
 
-std::uint64_t checksum(std::span<const std::byte> bytes) { return XXH64(bytes.data(), bytes.size(), 0); }
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  return XXH64(bytes.data(), bytes.size(), 0);
+}
 
-void write_section(const std::string& path, const SectionInfo& info, std::span<const std::byte> bytes) {
+void write_section(const std::string& path, const SectionInfo& info,
+                   std::span<const std::byte> bytes) {
   Header h{};
   h.magic_word = magic;
   h.file_version = version;
@@ -65,7 +68,8 @@ SectionFile read_section(const std::string& path, ClusterId cluster, Section sec
   if (all.size() < sizeof h) damaged(path, "the file is cut short");
   std::memcpy(&h, all.data(), sizeof h);
   if (h.magic_word != magic) damaged(path, "not a cluster's file");
-  if (h.file_version != version) damaged(path, "version " + std::to_string(h.file_version) + " is not known");
+  if (h.file_version != version)
+    damaged(path, "version " + std::to_string(h.file_version) + " is not known");
   if (h.header_checksum != header_checksum(h)) damaged(path, "the header is damaged (checksum)");
   if (h.cluster != cluster.value || h.section != static_cast<std::uint32_t>(section)) {
     damaged(path, "belongs to another cluster or section");

@@ -10,7 +10,8 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
   const RunLayout layout(run_directory);
   const std::optional<Manifest> manifest = read_manifest(layout);
   if (!manifest) {
-    throw InputError(run_directory, "solution", "there is none", "run 'enfilade solve' on it first");
+    throw InputError(run_directory, "solution", "there is none",
+                     "run 'enfilade solve' on it first");
   }
   std::vector<ClusterState> states;
   states.reserve(manifest->clusters);
@@ -27,7 +28,8 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
     }
     ClusterState& state = states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
     const auto bands = static_cast<std::size_t>(state.bands());
-    const std::size_t row = i < manifest->group_of_cluster.size() ? manifest->group_of_cluster[i] * bands : 0;
+    const std::size_t row =
+        i < manifest->group_of_cluster.size() ? manifest->group_of_cluster[i] * bands : 0;
     if (row + bands <= manifest->correction.size()) {
       state.correct(std::span(manifest->correction).subspan(row, bands));
     }

@@ -30,7 +30,8 @@ void descend(const CellComplex& complex, const SourcePolygon& whole, Add add) {
       highest = std::max(highest, distance);
     }
     if (lowest >= -fine && highest <= fine) {
-      jobs.emplace_back(glm::dot(whole.plane.n, node.plane.n) >= 0.0 ? front : back, std::move(part));
+      jobs.emplace_back(glm::dot(whole.plane.n, node.plane.n) >= 0.0 ? front : back,
+                        std::move(part));
     } else if (lowest >= -fine) {
       jobs.emplace_back(front, std::move(part));
     } else if (highest <= fine) {

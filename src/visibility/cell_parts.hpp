@@ -1,6 +1,7 @@
-// Where a cluster's polygons really lie. Cutting leaves what sticks out of a cell by less than the tolerance
-// whole, and what lies in a border within the tolerance goes to the side that it faces: right for the light,
-// but the part that sticks out sees the neighbouring cell, and that pair must not be missed.
+// Where a cluster's polygons really lie. Cutting leaves what sticks out of a cell by less than the
+// tolerance whole, and what lies in a border within the tolerance goes to the side that it faces:
+// right for the light, but the part that sticks out sees the neighbouring cell, and that pair must
+// not be missed.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ struct CellPart {
   Box box;
 };
 
-/// The cluster's own cell first, with all its polygons whole; then the cells that it sticks out into.
+/// The cluster's own cell first, with all its polygons whole; then the cells that it sticks out
+/// into.
 std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster);
 
 }  // namespace enfilade

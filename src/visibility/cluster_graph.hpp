@@ -1,4 +1,5 @@
-// G_cluster: which clusters can see each other (§3.2). Conservative: a visible pair is never missing.
+// G_cluster: which clusters can see each other (§3.2). Conservative: a visible pair is never
+// missing.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@
 
 namespace enfilade {
 
-/// Undirected graph in compressed rows: neighbours of i are sorted and hold j != i; a cluster is taken to
-/// see itself without an edge.
+/// Undirected graph in compressed rows: neighbours of i are sorted and hold j != i; a cluster is
+/// taken to see itself without an edge.
 class ClusterGraph {
  public:
   ClusterGraph() = default;
@@ -43,9 +44,9 @@ struct VisibilityConfig {
 std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
                                                      const VisibilityConfig& config = {});
 
-/// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters of different
-/// cells that see each other through a sequence of portals. Each cluster is a source of its own, so this is
-/// G_cell tightened by what can be seen through the sequences.
+/// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
+/// of different cells that see each other through a sequence of portals. Each cluster is a source
+/// of its own, so this is G_cell tightened by what can be seen through the sequences.
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

@@ -5,8 +5,8 @@
 
 namespace enfilade {
 
-void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec3& n, double slack_m,
-                  HalfSpaces& out) {
+void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec3& n,
+                  double slack_m, HalfSpaces& out) {
   const Vec3 middle = centroid(window);
   for (std::size_t i = 0; i < window.size(); ++i) {
     const Vec3& a = window[i];
@@ -16,13 +16,14 @@ void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec
     if (length <= slack_m) continue;
     inward /= length;
     if (glm::dot(inward, middle - a) < 0.0) inward = -inward;
-    // Seen along the edge, a source point lies at (x, -h). Of the lines through the edge the lowest beyond the
-    // window comes from the point with the largest x / h.
+    // Seen along the edge, a source point lies at (x, -h). Of the lines through the edge the lowest
+    // beyond the window comes from the point with the largest x / h.
     double slope = -1e30;
     for (const Vec3& p : source) {
       const double x = glm::dot(inward, p - a) + slack_m;
       const double h = -glm::dot(n, p - a);
-      const double near_h = std::max(h - slack_m, 1e-3 * slack_m), far_h = std::max(h, 0.0) + slack_m;
+      const double near_h = std::max(h - slack_m, 1e-3 * slack_m),
+                   far_h = std::max(h, 0.0) + slack_m;
       slope = std::max(slope, x > 0.0 ? x / near_h : x / far_h);
     }
     const Vec3 m = glm::normalize(inward + std::clamp(slope, -1e9, 1e9) * n);
@@ -32,9 +33,8 @@ void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec
 
 bool outside(const Polygon& polygon, const HalfSpaces& spaces, double slack_m) {
   return std::any_of(spaces.begin(), spaces.end(), [&](const Plane& plane) {
-    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) {
-      return plane.signed_distance(p) < -slack_m;
-    });
+    return std::all_of(polygon.begin(), polygon.end(),
+                       [&](const Vec3& p) { return plane.signed_distance(p) < -slack_m; });
   });
 }
 

@@ -1,4 +1,5 @@
-// Depth-first search along the sequences of portals that lines from a source can take (§3.2; Teller).
+// Depth-first search along the sequences of portals that lines from a source can take (§3.2;
+// Teller).
 #pragma once
 
 #include <cstdint>
@@ -50,10 +51,10 @@ struct SourcePolygon {
   Plane plane;
 };
 
-/// Calls `visit` for every cell that is entered, once for each sequence of portals. A doorway that has been
-/// passed `max_passes` times is passed once more with nothing but the source and the doorway itself to say what
-/// is seen beyond, which covers every further sequence through it: the cost is bounded by the number of
-/// doorways within reach, and no line is ever left out.
+/// Calls `visit` for every cell that is entered, once for each sequence of portals. A doorway that
+/// has been passed `max_passes` times is passed once more with nothing but the source and the
+/// doorway itself to say what is seen beyond, which covers every further sequence through it: the
+/// cost is bounded by the number of doorways within reach, and no line is ever left out.
 void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
                     int max_passes, const std::function<void(const CellView&)>& visit);
 

@@ -1,4 +1,5 @@
-// G_cluster: every cluster looks out through its cell's portals; a pair is kept where each side sees the other.
+// G_cluster: every cluster looks out through its cell's portals; a pair is kept where each side
+// sees the other.
 #include <algorithm>
 
 #include "visibility/cell_parts.hpp"
@@ -54,7 +55,8 @@ class ClusterVisibility {
   static void keep_mutual(std::vector<Pair>& seen, std::vector<Pair>& result) {
     std::sort(seen.begin(), seen.end());
     for (const auto& [a, b] : seen) {
-      if (a < b && std::binary_search(seen.begin(), seen.end(), Pair(b, a))) result.emplace_back(a, b);
+      if (a < b && std::binary_search(seen.begin(), seen.end(), Pair(b, a)))
+        result.emplace_back(a, b);
     }
   }
 

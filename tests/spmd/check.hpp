@@ -8,11 +8,11 @@
 #include "comm/communicator.hpp"
 #include "machine/machine.hpp"
 
-#define SPMD_CHECK(condition, text)                                                             \
-  do {                                                                                          \
-    if (!(condition))                                                                           \
+#define SPMD_CHECK(condition, text)                                                            \
+  do {                                                                                         \
+    if (!(condition))                                                                          \
       throw std::runtime_error(std::string(__FILE__) + ":" + std::to_string(__LINE__) + ": " + \
-                               #condition + ": " + (text));                                     \
+                               #condition + ": " + (text));                                    \
   } while (false)
 
 namespace enfilade::spmd_tests {

@@ -11,7 +11,8 @@ void failing_rank(Context& context) {
 }
 
 void failing_root(Context& context) {
-  context.communicator.on_root([] { throw InputError("a.json", "surfaces[0]", "is bad", "mend it"); });
+  context.communicator.on_root(
+      [] { throw InputError("a.json", "surfaces[0]", "is bad", "mend it"); });
   SPMD_CHECK(false, "a rank went on after rank 0 had refused the input");
 }
 

@@ -1,5 +1,5 @@
-// The SPMD loop on a linear system with a known answer: §8's iteration to the digit, stealing, and going on
-// after a crash.
+// The SPMD loop on a linear system with a known answer: §8's iteration to the digit, stealing, and
+// going on after a crash.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t block_size = 4;
 
-/// Neighbouring blocks to one rank, as the paper's assignment would; none for some where ranks are many.
+/// Neighbouring blocks to one rank, as the paper's assignment would; none for some where ranks are
+/// many.
 std::vector<ClusterId> own_blocks(const LinearSystem& system, const Communicator& c) {
   std::vector<ClusterId> own;
   for (std::size_t i = 0; i < system.blocks; ++i) {
@@ -60,13 +61,13 @@ struct Run {
       return p;
     };
     if (!history.empty() && next(history).finished) return next(history);
-    return run_spmd(work, tasks, context.communicator, context.machine, {steal, false}, plan, {}, history,
-                    next);
+    return run_spmd(work, tasks, context.communicator, context.machine, {steal, false}, plan, {},
+                    history, next);
   }
 };
 
-/// A block's gather takes this long; a thousand times as long where it costs nothing to wait, so that there as
-/// well it is the gathers that count and not the files.
+/// A block's gather takes this long; a thousand times as long where it costs nothing to wait, so
+/// that there as well it is the gathers that count and not the files.
 void labour_for(Machine& machine, double seconds) {
   if (machine.simulated()) {
     WorkCount work;
@@ -89,7 +90,8 @@ void check_solution(Context& context, const LinearSystem& system, const RunLayou
     const std::vector<double> x = LinearSystemWork::committed(system, layout);
     const std::vector<double> truth = system.solve_directly();
     for (std::size_t i = 0; i < truth.size(); ++i) {
-      SPMD_CHECK(std::abs(x[i] - truth[i]) < 1e-9, std::to_string(x[i]) + " for " + std::to_string(truth[i]));
+      SPMD_CHECK(std::abs(x[i] - truth[i]) < 1e-9,
+                 std::to_string(x[i]) + " for " + std::to_string(truth[i]));
     }
   });
 }
@@ -97,7 +99,8 @@ void check_solution(Context& context, const LinearSystem& system, const RunLayou
 }  // namespace
 
 void group_iteration(Context& context) {
-  // Without stealing the loop is exactly §8's: D x(k+1) = b + (L + U) x(k), Gauss-Seidel within a rank.
+  // Without stealing the loop is exactly §8's: D x(k+1) = b + (L + U) x(k), Gauss-Seidel within a
+  // rank.
   Run run(context, 23);
   constexpr int iterations = 6;
   run.solve(context, /*steal=*/false, iterations, 0.0);
@@ -111,7 +114,8 @@ void group_iteration(Context& context) {
         std::vector<double> mine = x;  // others' values are the last iteration's
         const std::size_t turns = blocks.size() / iterations;
         for (std::size_t t = 0; t < turns; ++t) {
-          const auto block = static_cast<std::size_t>(blocks[static_cast<std::size_t>(k) * turns + t]);
+          const auto block =
+              static_cast<std::size_t>(blocks[static_cast<std::size_t>(k) * turns + t]);
           for (std::size_t i = block * block_size; i < (block + 1) * block_size; ++i) {
             double value = s.b[i];
             for (std::size_t j = 0; j < s.size(); ++j) value += s.m(i, j) * mine[j];
@@ -129,10 +133,12 @@ void group_iteration(Context& context) {
 }
 
 void stealing(Context& context) {
-  // The first blocks take fifty times as long: rank 0 must give some away, and each block still has its turn
-  // exactly once an iteration.
+  // The first blocks take fifty times as long: rank 0 must give some away, and each block still has
+  // its turn exactly once an iteration.
   constexpr std::size_t blocks = 24;
-  const auto labour = [&](ClusterId id) { labour_for(context.machine, id.value < 6 ? 5e-3 : 1e-4); };
+  const auto labour = [&](ClusterId id) {
+    labour_for(context.machine, id.value < 6 ? 5e-3 : 1e-4);
+  };
   Run run(context, blocks, labour);
   run.solve(context, /*steal=*/true, 4, 0.0);
   const auto order = orders(context, run.work.gathered());
@@ -154,7 +160,9 @@ void stealing(Context& context) {
 }
 
 void linear_system(Context& context) {
-  const auto labour = [&](ClusterId id) { labour_for(context.machine, id.value % 5 == 0 ? 2e-3 : 2e-4); };
+  const auto labour = [&](ClusterId id) {
+    labour_for(context.machine, id.value % 5 == 0 ? 2e-3 : 2e-4);
+  };
   Run run(context, 24, labour);
   const std::size_t before = run.history.size();
   const IterationPlan last = run.solve(context, /*steal=*/true, 400, 1e-12);
@@ -162,7 +170,8 @@ void linear_system(Context& context) {
   check_solution(context, run.system, run.layout);
   context.communicator.on_root([&] {
     const std::size_t now = read_manifest(run.layout).value().history.size();
-    std::cout << "went on after iteration " << before << ", ended after iteration " << now << std::endl;
+    std::cout << "went on after iteration " << before << ", ended after iteration " << now
+              << std::endl;
     std::uint64_t values = 0;
     for (const IterationSummary& summary : run.history) values += summary.sums.patches;
     SPMD_CHECK(values == now * run.system.size(), "a block missed a turn");

@@ -40,7 +40,8 @@ LinearSystem::LinearSystem(std::size_t block_count, std::size_t size_of_block, d
   for (std::size_t i = 0; i < n; ++i) {
     double sum = 0.0;
     for (std::size_t j = 0; j < n; ++j) {
-      const bool coupled = i / block_size == j / block_size || graph.has_edge(i / block_size, j / block_size);
+      const bool coupled =
+          i / block_size == j / block_size || graph.has_edge(i / block_size, j / block_size);
       if (i == j || !coupled) continue;
       sum += matrix[i * n + j] = random.uniform();
     }
@@ -89,7 +90,9 @@ void LinearSystemWork::initialise() {
   commit({}, {}, false);
 }
 
-std::vector<double> LinearSystemWork::values(ClusterId id) { return doubles(store_.read_patches(id).bytes); }
+std::vector<double> LinearSystemWork::values(ClusterId id) {
+  return doubles(store_.read_patches(id).bytes);
+}
 
 IterationSums LinearSystemWork::gather(ClusterId receiver) {
   if (labour_) labour_(receiver);
@@ -130,12 +133,14 @@ void LinearSystemWork::commit(const std::vector<IterationSummary>& history, std:
   commit_manifest(layout_, manifest);
 }
 
-std::vector<double> LinearSystemWork::committed(const LinearSystem& system, const RunLayout& layout) {
+std::vector<double> LinearSystemWork::committed(const LinearSystem& system,
+                                                const RunLayout& layout) {
   const Slot slot = read_manifest(layout).value().slot();
   std::vector<double> x;
   for (std::size_t i = 0; i < system.blocks; ++i) {
     const ClusterId id(i);
-    const auto file = read_section(RunLayout::patches(layout.common(), id, slot), id, Section::patches);
+    const auto file =
+        read_section(RunLayout::patches(layout.common(), id, slot), id, Section::patches);
     const std::vector<double> v = doubles(file.bytes);
     x.insert(x.end(), v.begin(), v.end());
   }

@@ -1,5 +1,5 @@
-// x = b + M x in blocks, solved by the SPMD loop: the group iteration of §3.3.2 and §8 with a known answer. The
-// blocks' values live in cluster files like patches do.
+// x = b + M x in blocks, solved by the SPMD loop: the group iteration of §3.3.2 and §8 with a known
+// answer. The blocks' values live in cluster files like patches do.
 #pragma once
 
 #include <functional>

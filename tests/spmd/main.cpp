@@ -1,4 +1,5 @@
-// Runs one SPMD test by name, on whatever runtime it is linked with: spmd_tests NAME DIRECTORY [--resume]
+// Runs one SPMD test by name, on whatever runtime it is linked with: spmd_tests NAME DIRECTORY
+// [--resume]
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -12,10 +13,14 @@ int main(int argc, char** argv) {
   Communicator communicator(argc, argv);
   const std::unique_ptr<Machine> machine = make_machine("");
   const std::map<std::string, void (*)(Context&)> tests = {
-      {"ring_token", ring_token},       {"ring_with_one_late_rank", ring_with_one_late_rank},
-      {"group_iteration", group_iteration}, {"stealing", stealing},
-      {"linear_system", linear_system}, {"failing_rank", failing_rank},
-      {"failing_root", failing_root},   {"solve_rooms", solve_rooms},
+      {"ring_token", ring_token},
+      {"ring_with_one_late_rank", ring_with_one_late_rank},
+      {"group_iteration", group_iteration},
+      {"stealing", stealing},
+      {"linear_system", linear_system},
+      {"failing_rank", failing_rank},
+      {"failing_root", failing_root},
+      {"solve_rooms", solve_rooms},
       {"solve_in_little_memory", solve_in_little_memory}};
   try {
     if (argc < 3) throw std::runtime_error("usage: spmd_tests NAME DIRECTORY [--resume]");

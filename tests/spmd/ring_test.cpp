@@ -1,6 +1,6 @@
 // The token ring of §3.3.4: everybody's numbers come together, everybody hears the verdict.
-#include "check.hpp"
 #include "parallel/ring.hpp"
+#include "check.hpp"
 #include "visibility/cluster_graph.hpp"
 
 namespace enfilade::spmd_tests {
@@ -24,7 +24,8 @@ void ring_token(Context& context) {
     dialogue.start(round);
     const Token own{{rank == 1.0 ? 7.0 * round : -rank}, {rank + 1.0, 1.0}, {}};
     const Verdict verdict = go_round(c, context.machine, dialogue, own, [&](const Token& token) {
-      SPMD_CHECK(token.maxima.at(0) == (ranks > 1 ? 7.0 * round : 0.0), std::to_string(token.maxima[0]));
+      SPMD_CHECK(token.maxima.at(0) == (ranks > 1 ? 7.0 * round : 0.0),
+                 std::to_string(token.maxima[0]));
       SPMD_CHECK(token.sums.at(0) == ranks * (ranks + 1.0) / 2.0, std::to_string(token.sums[0]));
       SPMD_CHECK(token.sums.at(1) == ranks, std::to_string(token.sums[1]));
       return Verdict{token.maxima[0], {static_cast<double>(round), token.sums[0]}, {}};
@@ -46,10 +47,12 @@ void ring_with_one_late_rank(Context& context) {
   c.barrier();
   const double start_s = context.machine.now_s(), late_s = 0.2;
   if (c.rank().value + 1 == c.size()) {
-    for (int turn = 0; context.machine.now_s() < start_s + late_s; ++turn) context.machine.pause(turn);
+    for (int turn = 0; context.machine.now_s() < start_s + late_s; ++turn)
+      context.machine.pause(turn);
   }
   go_round(c, context.machine, dialogue, Token{}, [](const Token&) { return Verdict{}; });
-  SPMD_CHECK(context.machine.now_s() >= start_s + 0.95 * late_s, std::to_string(context.machine.now_s()));
+  SPMD_CHECK(context.machine.now_s() >= start_s + 0.95 * late_s,
+             std::to_string(context.machine.now_s()));
 }
 
 }  // namespace enfilade::spmd_tests

@@ -1,5 +1,5 @@
-// The whole solve on a furnace: every surface sends out (1 - reflectance) H, so that E = B = H everywhere. Two
-// rooms joined by a door, a crate in one of them.
+// The whole solve on a furnace: every surface sends out (1 - reflectance) H, so that E = B = H
+// everywhere. Two rooms joined by a door, a crate in one of them.
 #include <filesystem>
 
 #include "check.hpp"
@@ -84,10 +84,11 @@ void solve_rooms(Context& context) {
   config.run_directory = run;
   config.target_error = 0.05;
   int seen = 0;
-  const RunRecord record =
-      solve(config, prepared, context.communicator, context.machine, [&](const IterationSummary&) { ++seen; });
+  const RunRecord record = solve(config, prepared, context.communicator, context.machine,
+                                 [&](const IterationSummary&) { ++seen; });
   context.communicator.on_root([&] {
-    SPMD_CHECK(record.number("iterations", 0) == seen && seen > 1, std::to_string(seen) + " iterations seen");
+    SPMD_CHECK(record.number("iterations", 0) == seen && seen > 1,
+               std::to_string(seen) + " iterations seen");
     SPMD_CHECK(record.number("ranks", 0) == context.communicator.size(), "ranks");
     SPMD_CHECK(record.number("bytes_written", 0) > 0, "bytes_written");
     double area = 0.0, wrong = 0.0;
@@ -104,7 +105,8 @@ void solve_rooms(Context& context) {
 }
 
 void solve_in_little_memory(Context& context) {
-  // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and more reading.
+  // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and
+  // more reading.
   Communicator& c = context.communicator;
   const std::string run = context.directory + "/RUN";
   const Prepared prepared = prepared_furnace(context, run);
@@ -114,8 +116,8 @@ void solve_in_little_memory(Context& context) {
   const RunRecord rich = solve(config, prepared, c, context.machine);
   std::vector<double> expected;
   c.on_root([&] { expected = radiosities(run); });
-  config.memory_bytes =
-      std::stoull(c.broadcast(std::to_string(std::llround(rich.number("peak_cluster_bytes", 0.0) / 4.0))));
+  config.memory_bytes = std::stoull(
+      c.broadcast(std::to_string(std::llround(rich.number("peak_cluster_bytes", 0.0) / 4.0))));
   const RunRecord poor = solve(config, prepared, c, context.machine);
   c.on_root([&] {
     const std::vector<double> got = radiosities(run);
@@ -123,11 +125,13 @@ void solve_in_little_memory(Context& context) {
       const double tolerance = c.size() == 1 ? 0.0 : 0.02 * level;
       SPMD_CHECK(std::abs(got[i] - expected[i]) <= tolerance, std::to_string(got[i] - expected[i]));
     }
-    SPMD_CHECK(poor.number("bytes_read", 0) > rich.number("bytes_read", 0), "nothing was read again");
+    SPMD_CHECK(poor.number("bytes_read", 0) > rich.number("bytes_read", 0),
+               "nothing was read again");
     const double peak = poor.number("peak_cluster_bytes", 0);
     SPMD_CHECK(peak < 0.75 * rich.number("peak_cluster_bytes", 0), std::to_string(peak));
-    SPMD_CHECK(peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
-               "more in memory than the run owns up to");
+    SPMD_CHECK(
+        peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
+        "more in memory than the run owns up to");
   });
 }
 

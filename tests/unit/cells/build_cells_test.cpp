@@ -124,7 +124,8 @@ TEST(BuildCells, CuttingKeepsAreaAndFacesTheCell) {
     for (const CellPiece& part : complex.cut(piece)) {
       sum += area_m2(part.piece.polygon);
       EXPECT_EQ(part.piece.surface, piece.surface);
-      EXPECT_EQ(complex.locate(centroid(part.piece.polygon) + 0.01 * normal(piece.polygon)), part.cell);
+      EXPECT_EQ(complex.locate(centroid(part.piece.polygon) + 0.01 * normal(piece.polygon)),
+                part.cell);
     }
     EXPECT_NEAR(sum, area_m2(piece.polygon), 1e-9 * sum);
   }

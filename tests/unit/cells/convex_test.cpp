@@ -13,7 +13,7 @@ TEST(ConvexHull, KeepsTheEndsOfColumnsThatRoundingBent) {
       for (int k = 0; k < digit; ++k) rest /= 3;
       return (rest % 3 - 1) * 4e-16;
     };
-    const std::vector<Vec3> points{{2.6, 0, 2.11 + off(0)}, {4.3531, 0, 2.11 + off(1)},
+    const std::vector<Vec3> points{{2.6, 0, 2.11 + off(0)},   {4.3531, 0, 2.11 + off(1)},
                                    {3.555, 0, 2.11 + off(2)}, {2.6, 0, 1.269},
                                    {4.3531, 0, 1.269},        {3.0, 0, 1.5}};
     const Polygon hull = convex_hull(points, {0, 1, 0});
@@ -25,7 +25,7 @@ TEST(ConvexHull, KeepsTheEndsOfColumnsThatRoundingBent) {
 
 TEST(ConvexHull, KeepsOneOfTwoVerticesInOnePlace) {
   for (const double noise : {0.0, 1e-15, -1e-15}) {
-    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1 + noise, noise, 0}, {1, 1, 0},
+    const std::vector<Vec3> points{{0, 0, 0},         {1, 0, 0}, {1 + noise, noise, 0}, {1, 1, 0},
                                    {1, 1 + noise, 0}, {0, 1, 0}, {noise, 0, 0}};
     EXPECT_NEAR(area_m2(convex_hull(points, {0, 0, 1})), 1.0, 1e-12);
   }

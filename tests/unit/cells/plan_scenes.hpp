@@ -54,7 +54,8 @@ class Plan {
   }
   Scene scene() const {
     Scene scene;
-    for (const Polygon& polygon : polygons) scene.surfaces.push_back({polygon, {0.5}, {0.0}, "", "", false});
+    for (const Polygon& polygon : polygons)
+      scene.surfaces.push_back({polygon, {0.5}, {0.0}, "", "", false});
     return scene;
   }
 

@@ -68,9 +68,11 @@ TEST(CostModel, RecordsCountAtTheirOwnSizeUnlessTheModelHasAnother) {
 }
 
 TEST(CostModel, NamesWhatIsWrongWithAFile) {
-  EXPECT_NE(message_for(altered("\"ray\": 3000", "\"ray\": -1")).find("flops.ray"), std::string::npos);
+  EXPECT_NE(message_for(altered("\"ray\": 3000", "\"ray\": -1")).find("flops.ray"),
+            std::string::npos);
   EXPECT_NE(message_for(altered("\"ray\"", "\"rays\"")).find("flops.rays"), std::string::npos);
-  EXPECT_NE(message_for(altered("    \"seek_s\": 0.012,\n", "")).find("disk.seek_s: missing"), std::string::npos);
+  EXPECT_NE(message_for(altered("    \"seek_s\": 0.012,\n", "")).find("disk.seek_s: missing"),
+            std::string::npos);
   EXPECT_NE(message_for(altered("enfilade-cost-model", "x")).find("format"), std::string::npos);
   EXPECT_NE(message_for(altered("{", "")).find("is not JSON"), std::string::npos);
   EXPECT_NE(message_for("no/such/file.json").find("cannot be read"), std::string::npos);

@@ -18,7 +18,8 @@ IterationSummary summary(int iteration, double change, double links_refined = 0.
   return s;
 }
 
-const PlanConfig config{.emitted_power = 10.0, .epsilon = 1e-3, .tolerance = 1e-4, .max_iterations = 50};
+const PlanConfig config{
+    .emitted_power = 10.0, .epsilon = 1e-3, .tolerance = 1e-4, .max_iterations = 50};
 
 TEST(IterationPlan, LinkToleranceIsAShareOfTheEmittedPower) {
   EXPECT_DOUBLE_EQ(first_plan(config).link_tolerance, 0.01);

@@ -50,7 +50,8 @@ TEST_F(TaskListTest, GivesWhatCostsTheThiefLeast) {
   EXPECT_EQ(tasks.give(ids({2, 3, 4})), ClusterId(3u));
   EXPECT_EQ(tasks.give(ids({6, 7, 8})), ClusterId(5u));
   // What is given is gone for good, what was done is not given.
-  EXPECT_THAT(tasks.cycle().order(), ElementsAre(ClusterId(0u), ClusterId(1u), ClusterId(2u), ClusterId(4u)));
+  EXPECT_THAT(tasks.cycle().order(),
+              ElementsAre(ClusterId(0u), ClusterId(1u), ClusterId(2u), ClusterId(4u)));
   EXPECT_EQ(tasks.waiting(), 3u);
   while (tasks.next()) {
   }

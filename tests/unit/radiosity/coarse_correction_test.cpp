@@ -8,8 +8,8 @@ namespace enfilade {
 namespace {
 
 TEST(CoarseSystem, SolvesASmallSystemExactly) {
-  // Two clusters that see each other fully: E1 = rho2 E2 + 1, E2 = rho1 E1; one Jacobi sweep from zero has made
-  // E = (1, 0). The correction must lead to the fixed point at once.
+  // Two clusters that see each other fully: E1 = rho2 E2 + 1, E2 = rho1 E1; one Jacobi sweep from
+  // zero has made E = (1, 0). The correction must lead to the fixed point at once.
   const double rho1 = 0.9, rho2 = 0.8;
   CoarseSystem system(2, 1);
   const std::vector<std::uint32_t> groups{0, 1};
@@ -30,12 +30,13 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
 
 TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
   for (const double rho : {0.5, 0.9, 0.99, 0.999}) {
-    const testing::Solved with(testing::box_room({0, 0, 0}, {4, 4, 4}, {rho}, {1.0}), Basis::linear, 1e-3);
+    const testing::Solved with(testing::box_room({0, 0, 0}, {4, 4, 4}, {rho}, {1.0}), Basis::linear,
+                               1e-3);
     EXPECT_LE(with.iterations, 12) << rho;
     EXPECT_NEAR(with.states[0].patches().irradiance(0)[0] * (1.0 - rho), 1.0, 1e-4) << rho;
   }
-  const testing::Solved without(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.9}, {1.0}), Basis::linear, 1e-3,
-                                false);
+  const testing::Solved without(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.9}, {1.0}),
+                                Basis::linear, 1e-3, false);
   EXPECT_GT(without.iterations, 30);
 }
 

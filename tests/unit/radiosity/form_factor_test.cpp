@@ -30,10 +30,11 @@ TEST(PointToPolygon, IsZeroFromBehindAndBelowTheHorizon) {
 
 TEST(PointToPolygon, PartsOfAClosedBoxSumToOne) {
   const Vec3 lo(0, 0, 0), hi(3, 4, 2.5);
-  const std::vector<std::vector<Vec3>> walls{
-      {{0, 0, 2.5}, {0, 4, 2.5}, {3, 4, 2.5}, {3, 0, 2.5}}, {{0, 0, 0}, {0, 4, 0}, {0, 4, 2.5}, {0, 0, 2.5}},
-      {{3, 0, 0}, {3, 0, 2.5}, {3, 4, 2.5}, {3, 4, 0}},     {{0, 0, 0}, {0, 0, 2.5}, {3, 0, 2.5}, {3, 0, 0}},
-      {{0, 4, 0}, {3, 4, 0}, {3, 4, 2.5}, {0, 4, 2.5}}};
+  const std::vector<std::vector<Vec3>> walls{{{0, 0, 2.5}, {0, 4, 2.5}, {3, 4, 2.5}, {3, 0, 2.5}},
+                                             {{0, 0, 0}, {0, 4, 0}, {0, 4, 2.5}, {0, 0, 2.5}},
+                                             {{3, 0, 0}, {3, 0, 2.5}, {3, 4, 2.5}, {3, 4, 0}},
+                                             {{0, 0, 0}, {0, 0, 2.5}, {3, 0, 2.5}, {3, 0, 0}},
+                                             {{0, 4, 0}, {3, 4, 0}, {3, 4, 2.5}, {0, 4, 2.5}}};
   for (const Vec3 x : {Vec3(0.01, 0.02, 0), Vec3(1.5, 2, 0), Vec3(2.999, 3.9, 0)}) {
     double sum = 0.0;
     for (const auto& wall : walls) sum += point_to_polygon(x, {0, 0, 1}, wall);
@@ -52,7 +53,8 @@ TEST(PointToPolygon, ClipsAtTheHorizon) {
 
 TEST(PointKernel, AgreesWithASmallPolygon) {
   const double h = 1e-3;
-  const std::vector<Vec3> tiny{{2 - h, 1 - h, 3}, {2 - h, 1 + h, 3}, {2 + h, 1 + h, 3}, {2 + h, 1 - h, 3}};
+  const std::vector<Vec3> tiny{
+      {2 - h, 1 - h, 3}, {2 - h, 1 + h, 3}, {2 + h, 1 + h, 3}, {2 + h, 1 - h, 3}};
   const double kernel = point_kernel({0, 0, 0}, {0, 0, 1}, {2, 1, 3}, {0, 0, -1});
   EXPECT_NEAR(point_to_polygon({0, 0, 0}, {0, 0, 1}, tiny) / (4 * h * h), kernel, 1e-5 * kernel);
 }

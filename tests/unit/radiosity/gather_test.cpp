@@ -46,8 +46,8 @@ TEST(Gather, AThinGapStaysBelowOne) {
   EXPECT_NEAR(e, 0.9980056, 3e-3);
 }
 
-/// An isotropic point light in the middle of a closed cube: each face gets a sixth; then interreflection
-/// E = Phi / (6 A (1 - rho)) on average.
+/// An isotropic point light in the middle of a closed cube: each face gets a sixth; then
+/// interreflection E = Phi / (6 A (1 - rho)) on average.
 TEST(Gather, APointLightInACubeMatchesTheIntegratingSphereFormula) {
   Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5}, {0.0});
   scene.lights.push_back({{2, 2, 2}, {100.0}});
@@ -65,7 +65,10 @@ TEST(Gather, DoesNotMissASmallBrightLampCloseToALargeFloor) {
        {std::tuple{50.0, 0.0, true, 0.0}, std::tuple{0.05, 0.5, false, 1.0}}) {
     Surface s;
     const double x = up ? 0.0 : 17.3, y = up ? 0.0 : -8.1;
-    s.vertices = {{x - half, y - half, z}, {x + half, y - half, z}, {x + half, y + half, z}, {x - half, y + half, z}};
+    s.vertices = {{x - half, y - half, z},
+                  {x + half, y - half, z},
+                  {x + half, y + half, z},
+                  {x - half, y + half, z}};
     if (!up) std::reverse(s.vertices.begin(), s.vertices.end());
     s.reflectance = {0.0};
     s.exitance = {exitance};
@@ -78,7 +81,8 @@ TEST(Gather, DoesNotMissASmallBrightLampCloseToALargeFloor) {
 }
 
 TEST(Gather, NoLightGivesNoWorkAndZero) {
-  const Solved solved(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5}, {0.0}), Basis::linear, 1e-3, true, 6);
+  const Solved solved(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5}, {0.0}), Basis::linear, 1e-3,
+                      true, 6);
   EXPECT_EQ(solved.work.form_factors, 0u);
   EXPECT_EQ(solved.states[0].patches().irradiance(0)[0], 0.0);
 }

@@ -9,7 +9,8 @@ namespace {
 
 const std::vector<Vec2> pentagon{{0, 0}, {3, 0.2}, {3.5, 1.5}, {1.7, 2.4}, {-0.3, 1.1}};
 
-/// Integral of f over a polygon by a fine fan of midpoint triangles: an independent answer for moments.
+/// Integral of f over a polygon by a fine fan of midpoint triangles: an independent answer for
+/// moments.
 template <class F>
 double integral(const std::vector<Vec2>& p, F f) {
   double sum = 0.0;
@@ -20,7 +21,8 @@ double integral(const std::vector<Vec2>& p, F f) {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n - j; ++k) {
         sum += area * f(p[0] + a * ((j + 1.0 / 3) / n) + b * ((k + 1.0 / 3) / n));
-        if (k < n - j - 1) sum += area * f(p[0] + a * ((j + 2.0 / 3) / n) + b * ((k + 2.0 / 3) / n));
+        if (k < n - j - 1)
+          sum += area * f(p[0] + a * ((j + 2.0 / 3) / n) + b * ((k + 2.0 / 3) / n));
       }
     }
   }
@@ -32,13 +34,19 @@ TEST(PatchShape, MomentsMatchNumericalIntegrals) {
   EXPECT_NEAR(s.area_m2, integral(pentagon, [](Vec2) { return 1.0; }), 1e-9);
   EXPECT_NEAR(s.centroid.x, integral(pentagon, [](Vec2 p) { return p.x; }) / s.area_m2, 1e-6);
   const Vec2 c = s.centroid;
-  EXPECT_NEAR(s.cxx, integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.x - c.x); }) / s.area_m2, 1e-5);
-  EXPECT_NEAR(s.cxy, integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.y - c.y); }) / s.area_m2, 1e-5);
+  EXPECT_NEAR(s.cxx,
+              integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.x - c.x); }) / s.area_m2,
+              1e-5);
+  EXPECT_NEAR(s.cxy,
+              integral(pentagon, [&](Vec2 p) { return (p.x - c.x) * (p.y - c.y); }) / s.area_m2,
+              1e-5);
 }
 
 TEST(PatchShape, QuadratureIsExactForQuadratics) {
   const PatchShape s = PatchShape::from(pentagon);
-  const auto f = [](Vec2 p) { return 1.0 + p.x - 2.0 * p.y + p.x * p.x + 0.5 * p.x * p.y - p.y * p.y; };
+  const auto f = [](Vec2 p) {
+    return 1.0 + p.x - 2.0 * p.y + p.x * p.x + 0.5 * p.x * p.y - p.y * p.y;
+  };
   double mean = 0.0;
   for (const Vec2& p : s.quadrature()) mean += 0.25 * f(p);
   EXPECT_NEAR(mean, integral(pentagon, f) / s.area_m2, 1e-5);
@@ -55,7 +63,8 @@ TEST(PatchShape, HalvesCoverTheWhole) {
   }
 }
 
-/// For every inner node: mean of its children = its own value, and an affine light survives the round trip.
+/// For every inner node: mean of its children = its own value, and an affine light survives the
+/// round trip.
 TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.9}, {1.0, 0.0});
   for (const Basis basis : {Basis::constant, Basis::linear}) {
@@ -66,12 +75,12 @@ TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
     f.subdivide(child + 1);
     const auto terms = static_cast<std::size_t>(f.terms());
     std::vector<double> gathered(f.size() * 2 * terms, 0.0);
-    gathered[0] = 2.0;                                   // band 0 at the polygon
+    gathered[0] = 2.0;  // band 0 at the polygon
     if (terms == 3) {
       gathered[1] = 0.7;
       gathered[2] = -0.3;
     }
-    gathered[(child * 2 + 1) * terms] = 5.0;             // band 1 at one child only
+    gathered[(child * 2 + 1) * terms] = 5.0;  // band 1 at one child only
     f.push_pull(gathered);
     for (std::size_t n = 0; n < f.size(); ++n) {
       if (f.node(n).leaf()) continue;
@@ -90,7 +99,7 @@ TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
     if (terms == 3) {
       EXPECT_NEAR(f.irradiance(0)[1], 0.7, 1e-12);
     }
-    EXPECT_GT(f.deviation(0), 0.1);       // the jump between the halves
+    EXPECT_GT(f.deviation(0), 0.1);  // the jump between the halves
     EXPECT_NEAR(f.deviation(child), 0.0, 1e-7);
   }
 }

@@ -18,7 +18,8 @@ TEST(PointGather, DirectLightOfAPanelMatchesTheClosedForm) {
   scene.surfaces.push_back(lamp);
   const testing::Solved solved(scene, Basis::linear, 1e-3);
   const PointGather gather(solved.states, scene.lights, solved.occluders, {});
-  const double x = 0.5 / 2.9, s = std::sqrt(1 + x * x);  // below its middle: four quarter rectangles
+  const double x = 0.5 / 2.9,
+               s = std::sqrt(1 + x * x);  // below its middle: four quarter rectangles
   const double factor = 4.0 * (2.0 * x / s * std::atan(x / s)) / (2.0 * std::numbers::pi);
   EXPECT_NEAR(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 10.0 * factor, 1e-3 * 10.0 * factor);
 }
@@ -42,7 +43,8 @@ TEST(PointGather, HalfHiddenPanelGivesHalf) {
 }
 
 TEST(PointGather, PatchesAgreeWithTheGatherInAFurnace) {
-  const testing::Solved solved(testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.4 * 3.0}), Basis::linear, 1e-3);
+  const testing::Solved solved(testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.4 * 3.0}),
+                               Basis::linear, 1e-3);
   const PointGather gather(solved.states, solved.scene.lights, solved.occluders, {});
   for (const Vec3 p : {Vec3(0.01, 0.01, 0), Vec3(2, 3.9, 0), Vec3(2, 2, 0)}) {
     EXPECT_NEAR(gather.irradiance(p, {0, 0, 1})[0], 3.0, 3e-3);

@@ -14,7 +14,8 @@ TEST(Occluders, AnEmptyRoomIsProvenOpen) {
   for (std::uint32_t i = 0; i < 6; ++i) {
     for (std::uint32_t j = 0; j < 6; ++j) {
       if (i == j) continue;
-      EXPECT_TRUE(occluders.shaft_open(scene.surfaces[i].vertices, scene.surfaces[j].vertices, i, j));
+      EXPECT_TRUE(
+          occluders.shaft_open(scene.surfaces[i].vertices, scene.surfaces[j].vertices, i, j));
     }
   }
 }
@@ -31,7 +32,8 @@ TEST(Occluders, AWallBetweenIsProvenShutAndAWallWithAGapIsNot) {
   const Polygon right{{2, 0, 0}, {2, 0, 1}, {2, 1, 1}, {2, 1, 0}};
   for (const double top : {1.0, 0.9}) {
     Scene scene;
-    for (const Polygon& p : {left, right, Polygon{{1, 0, 0}, {1, 1, 0}, {1, 1, top}, {1, 0, top}}}) {
+    for (const Polygon& p :
+         {left, right, Polygon{{1, 0, 0}, {1, 1, 0}, {1, 1, top}, {1, 0, top}}}) {
       Surface s;
       s.vertices = p;
       s.reflectance = s.exitance = {0.0};

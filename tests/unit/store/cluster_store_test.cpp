@@ -29,7 +29,8 @@ RecordCount sized(std::size_t bytes) {
   return count;
 }
 
-void write(ClusterStore& store, ClusterId id, const std::string& patches, const std::string& links = "") {
+void write(ClusterStore& store, ClusterId id, const std::string& patches,
+           const std::string& links = "") {
   store.write(id, text(patches), sized(patches.size()), text(links), sized(links.size()));
 }
 

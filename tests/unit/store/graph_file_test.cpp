@@ -16,13 +16,15 @@ TEST(GraphFile, ComesBackAsWritten) {
   ASSERT_EQ(back.size(), 5u);
   EXPECT_EQ(back.edges(), 4u);
   for (std::size_t i = 0; i < 5; ++i) {
-    for (std::size_t j = 0; j < 5; ++j) EXPECT_EQ(back.has_edge(i, j), graph.has_edge(i, j)) << i << " " << j;
+    for (std::size_t j = 0; j < 5; ++j)
+      EXPECT_EQ(back.has_edge(i, j), graph.has_edge(i, j)) << i << " " << j;
   }
 }
 
 TEST(GraphFile, ACutOrAlteredFileIsRefused) {
   const std::string path = testing::TempDir() + "/bad_graph.txt";
-  for (const char* text : {"", "enfilade-graph 1 2 1\ncluster-0 0 1\n", "enfilade-graph 1 2 1\ncluster-0 0 1\ncluster-1 1 7\n",
+  for (const char* text : {"", "enfilade-graph 1 2 1\ncluster-0 0 1\n",
+                           "enfilade-graph 1 2 1\ncluster-0 0 1\ncluster-1 1 7\n",
                            "enfilade-graph 1 2 1\ncluster-0 0\ncluster-1 1\n", "something else"}) {
     replace_file(path, text);
     EXPECT_THROW(read_graph(path), RunError) << text;

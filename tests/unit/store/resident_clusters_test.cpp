@@ -95,7 +95,8 @@ TEST_F(ResidentClustersTest, WhatIsEvictedComesBackAsItWas) {
     EXPECT_EQ(state.patches().radiosity(0)[0], 100.0 + static_cast<double>(i));
     resident.unpin();
   }
-  EXPECT_GT(resident.count().over_budget_bytes, 0u) << "a gather that needs more than there is says so";
+  EXPECT_GT(resident.count().over_budget_bytes, 0u)
+      << "a gather that needs more than there is says so";
 }
 
 TEST_F(ResidentClustersTest, PinnedOnesStayWhateverTheBudget) {

@@ -53,7 +53,9 @@ struct Rooms {
       clusters.push_back(c);
     }
   }
-  ClusterState state(std::size_t i) const { return ClusterState(clusters[i], scene, Basis::constant); }
+  ClusterState state(std::size_t i) const {
+    return ClusterState(clusters[i], scene, Basis::constant);
+  }
 };
 
 inline RunLayout fresh_run(const std::string& name) {

@@ -26,7 +26,8 @@ std::string fresh_path(const char* name) {
 TEST(SectionFile, ComesBackAsWritten) {
   const std::string path = fresh_path("section");
   const auto bytes = some_bytes(1000);
-  write_section(path, {ClusterId(7u), Section::patches, 12, Slot::b, {1, 2, 3, bytes.size()}}, bytes);
+  write_section(path, {ClusterId(7u), Section::patches, 12, Slot::b, {1, 2, 3, bytes.size()}},
+                bytes);
   const SectionFile file = read_section(path, ClusterId(7u), Section::patches);
   EXPECT_EQ(file.bytes, bytes);
   EXPECT_EQ(file.info.iteration, 12u);
@@ -46,7 +47,8 @@ TEST(SectionFile, AnyDamagedByteIsFound) {
     write_file(path, bad, {});
     EXPECT_THROW(read_section(path, ClusterId(7u), Section::links), RunError) << "byte " << i;
   }
-  for (const std::size_t size : {std::size_t{0}, std::size_t{40}, std::size_t{80}, good.size() - 1}) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{40}, std::size_t{80}, good.size() - 1}) {
     write_file(path, std::span(good).first(size), {});
     EXPECT_THROW(read_section(path, ClusterId(7u), Section::links), RunError) << "cut at " << size;
   }
@@ -78,7 +80,8 @@ TEST(PosixFile, FullDiskIsToldWithItsRemedy) {
   } catch (const RunError& error) {
     EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
   }
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "the device must outlive the test";
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"))
+      << "the device must outlive the test";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// No visible pair may be missing: random segments between front sides, tested against every polygon in double
-// precision, must all join clusters that G_cluster joins.
+// No visible pair may be missing: random segments between front sides, tested against every polygon
+// in double precision, must all join clusters that G_cluster joins.
 #include "visibility/cluster_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,8 @@ std::size_t expect_no_pair_missed(const Prepared& p, int segments) {
     }
     if (!free || from.cluster == to.cluster) continue;
     found.emplace(std::min(from.cluster, to.cluster), std::max(from.cluster, to.cluster));
-    EXPECT_TRUE(p.graph.has_edge(from.cluster, to.cluster)) << from.cluster << " sees " << to.cluster;
+    EXPECT_TRUE(p.graph.has_edge(from.cluster, to.cluster))
+        << from.cluster << " sees " << to.cluster;
   }
   return found.size();
 }
