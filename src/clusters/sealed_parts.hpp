@@ -1,4 +1,4 @@
-// Pieces that run on underneath or into other solids are cut there, so that dark stays dark (§3.1).
+// Pieces that run on underneath or into solids are cut there: dark stays dark.
 #pragma once
 
 #include <cstdint>

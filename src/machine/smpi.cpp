@@ -6,6 +6,7 @@
 #include <simgrid/s4u.hpp>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -91,6 +92,11 @@ class SimulatedMachine final : public Machine {
   std::string host() const override { return here_->get_name(); }
 
  private:
+  /// The disk's own property `seek_s`, or the cost model's.
+  double seek_s(const s4u::Disk& disk) const {
+    const char* own = disk.get_property("seek_s");
+    return own != nullptr ? std::stod(own) : costs_.disk.seek_s;
+  }
   static void execute(double flops) {
     if (flops > 0.0) smpi_execute_flops(flops);
   }
@@ -114,7 +120,7 @@ class SimulatedMachine final : public Machine {
     if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
     const s4u::MutexPtr queue = arm_of(*server.disk).queue;
     queue->lock();
-    s4u::this_actor::sleep_for(costs_.disk.seek_s);
+    s4u::this_actor::sleep_for(seek_s(*server.disk));
     if (bytes > 0 && reading) server.disk->read(static_cast<sg_size_t>(bytes));
     if (bytes > 0 && !reading) server.disk->write(static_cast<sg_size_t>(bytes));
     queue->unlock();
