@@ -1,5 +1,5 @@
-// Space cut into cells (rooms, the outside, the insides of solids) that see each other through portals:
-// §4.2 and [10] of the paper.
+// Space cut into cells (rooms, the outside, the insides of solids) that see each other through
+// portals: §4.2 and [10] of the paper.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ struct Cell {
 /// A convex planar opening between two cells. Conservative: it covers all that is open there.
 struct Portal {
   PortalId id;
-  CellId a, b;      ///< a lies in front of the polygon's plane, b behind
+  CellId a, b;  ///< a lies in front of the polygon's plane, b behind
   Polygon polygon;
 };
 
@@ -45,8 +45,10 @@ struct CellPiece {
 class CellComplex {
  public:
   struct Config {
-    double min_occlusion = 0.1;      ///< share of a region's cross-section that a plane must cover to cut it
-    double tolerance_relative = 1e-5;  ///< coplanarity, relative to the scene's diagonal (at most 2 mm)
+    double min_occlusion =
+        0.1;  ///< share of a region's cross-section that a plane must cover to cut it
+    double tolerance_relative =
+        1e-5;  ///< coplanarity, relative to the scene's diagonal (at most 2 mm)
     std::size_t max_leaves = 200000;
   };
 
@@ -77,12 +79,15 @@ std::string to_bytes(const CellComplex& complex);
 CellComplex complex_from_bytes(std::string_view bytes);
 
 /// Cuts the scene into cells, in five steps, each in its file:
-/// 1. plane_set, bsp: a partition along the most occluding planes of any orientation, deeper than the rooms need;
+/// 1. plane_set, bsp: a partition along the most occluding planes of any orientation, deeper than
+/// the rooms need;
 /// 2. interface: what is open between its leaves, never less than there is;
-/// 3. leaf_merge: leaves that are open to each other become rooms, furniture and leaking solids join them;
+/// 3. leaf_merge: leaves that are open to each other become rooms, furniture and leaking solids
+/// join them;
 /// 4. portal_build: what is open between rooms becomes few convex portals;
 /// 5. build_cells: cells that hold nothing and lead nowhere are left out.
-/// Merging and hulls only ever add to what is taken as visible, so every threshold is safe. One room, or a scene without walls, is one cell.
+/// Merging and hulls only ever add to what is taken as visible, so every threshold is safe. One
+/// room, or a scene without walls, is one cell.
 CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config);
 
 }  // namespace enfilade

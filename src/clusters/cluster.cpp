@@ -15,7 +15,8 @@ constexpr double coplanar_relative = 1e-5;  // of the cell's diagonal
 // The pieces of one cell, and how they are dealt out.
 class CellClusters {
  public:
-  CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces, const ClusterConfig& config)
+  CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces,
+               const ClusterConfig& config)
       : scene_(scene), config_(config), pieces_(std::move(pieces)) {
     for (const CellPiece* piece : pieces_) {
       polygons_.push_back(&piece->piece.polygon);

@@ -29,16 +29,18 @@ struct Cluster {
 };
 
 struct ClusterConfig {
-  std::size_t max_polygons = 64;    ///< larger objects are split by position
-  double max_extent_share = 0.0;    ///< longest side as a share of the cell's; 0 = no limit
-  double large_share = 0.25;        ///< polygons longer than this share of the cell are not mixed with others
-  std::size_t pool_polygons = 16;   ///< loose single polygons are pooled by neighbourhood up to this many
+  std::size_t max_polygons = 64;  ///< larger objects are split by position
+  double max_extent_share = 0.0;  ///< longest side as a share of the cell's; 0 = no limit
+  double large_share =
+      0.25;  ///< polygons longer than this share of the cell are not mixed with others
+  std::size_t pool_polygons =
+      16;  ///< loose single polygons are pooled by neighbourhood up to this many
 };
 
-/// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of their object
-/// and plane, then the file's objects, then what hangs together, then what lies close. Ids go by cell,
-/// lit before sealed, then by position. Every cluster lies in one cell and is all lit or all sealed,
-/// every cell piece is in exactly one cluster.
+/// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of
+/// their object and plane, then the file's objects, then what hangs together, then what lies close.
+/// Ids go by cell, lit before sealed, then by position. Every cluster lies in one cell and is all
+/// lit or all sealed, every cell piece is in exactly one cluster.
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
                                     const ClusterConfig& config);
 

@@ -19,8 +19,7 @@ Vec3 cosine_direction(const Vec3& n, Random& random) {
   const Vec3 u = glm::normalize(glm::cross(helper, n));
   const double square = random.uniform(), r = std::sqrt(square);
   const double phi = 2.0 * std::numbers::pi * random.uniform();
-  return r * std::cos(phi) * u + r * std::sin(phi) * glm::cross(n, u) +
-         std::sqrt(1.0 - square) * n;
+  return r * std::cos(phi) * u + r * std::sin(phi) * glm::cross(n, u) + std::sqrt(1.0 - square) * n;
 }
 
 }  // namespace

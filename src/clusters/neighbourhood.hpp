@@ -15,8 +15,9 @@ using Group = std::vector<std::size_t>;
 /// Groups that share vertices (to `tolerance_m`), each in ascending order, ordered by first member.
 std::vector<Group> connected_groups(std::span<const Polygon* const> polygons, double tolerance_m);
 
-/// Halves a group by position along its longest axis until no part has more than `max_size` polygons or, where
-/// `max_extent_m` > 0, a longer side than that (a polygon that is longer stays whole, by itself).
+/// Halves a group by position along its longest axis until no part has more than `max_size`
+/// polygons or, where `max_extent_m` > 0, a longer side than that (a polygon that is longer stays
+/// whole, by itself).
 std::vector<Group> split_by_position(std::span<const Polygon* const> polygons, Group group,
                                      std::size_t max_size, double max_extent_m);
 

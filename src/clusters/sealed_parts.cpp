@@ -101,10 +101,10 @@ class PieceCut {
     const std::vector<Segment> segments = std::move(nodes_[i].segments);
     nodes_[i].front = nodes_.size();
     nodes_[i].back = nodes_.size() + 1;
-    nodes_.push_back({std::move(halves.first),
-                      side_of(segments, plane, 1.0, tolerance_m_, min_length_m_)});
-    nodes_.push_back({std::move(halves.second),
-                      side_of(segments, plane, -1.0, tolerance_m_, min_length_m_)});
+    nodes_.push_back(
+        {std::move(halves.first), side_of(segments, plane, 1.0, tolerance_m_, min_length_m_)});
+    nodes_.push_back(
+        {std::move(halves.second), side_of(segments, plane, -1.0, tolerance_m_, min_length_m_)});
     return true;
   }
 

@@ -34,7 +34,8 @@ nlohmann::json read_mark(const std::string& run_directory) {
   return good ? mark : nlohmann::json{};
 }
 
-/// The scene's own file where it is one of ours (extra keys and all), else the scene as it was imported.
+/// The scene's own file where it is one of ours (extra keys and all), else the scene as it was
+/// imported.
 void copy_scene(const Scene& scene, const std::string& path) {
   std::error_code code;
   if (std::filesystem::equivalent(scene.file, path, code)) return;

@@ -32,8 +32,8 @@ struct Prepared {
   double covered_area_m2 = 0.0;  ///< of surfaces covered by coplanar ones
 };
 
-/// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and drops
-/// whatever solution it held. Nothing is written where the scene is bad.
+/// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and
+/// drops whatever solution it held. Nothing is written where the scene is bad.
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
                  Warnings& warnings, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
@@ -41,8 +41,8 @@ Prepared load_prepared(const std::string& run_directory);
 /// Is `run_directory` prepared (for the scene with this hash; 0 = for any)?
 bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash = 0);
 
-/// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, that is kept);
-/// then every rank has it. `scene_file` may be empty: RUN must be prepared then.
+/// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, that
+/// is kept); then every rank has it. `scene_file` may be empty: RUN must be prepared then.
 Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
                          const std::string& run_directory, const PrepareConfig& config,
                          Warnings& warnings, const Progress& progress = {});

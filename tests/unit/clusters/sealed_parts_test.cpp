@@ -31,9 +31,8 @@ struct Cut {
   }
   std::size_t parts(std::size_t surface) const {
     return static_cast<std::size_t>(
-        std::count_if(after.begin(), after.end(), [&](const CellPiece& p) {
-          return p.piece.surface.index() == surface;
-        }));
+        std::count_if(after.begin(), after.end(),
+                      [&](const CellPiece& p) { return p.piece.surface.index() == surface; }));
   }
 };
 
