@@ -91,8 +91,12 @@ std::vector<CellPiece> CellComplex::cut(const Piece& piece) const {
     const auto front = static_cast<std::size_t>(node.front);
     const auto back = static_cast<std::size_t>(node.back);
     switch (place_of(job.polygon, node.plane, tolerance_m_)) {
-      case Place::front: jobs.push_back({front, std::move(job.polygon)}); break;
-      case Place::back: jobs.push_back({back, std::move(job.polygon)}); break;
+      case Place::front:
+        jobs.push_back({front, std::move(job.polygon)});
+        break;
+      case Place::back:
+        jobs.push_back({back, std::move(job.polygon)});
+        break;
       case Place::in_plane:
         jobs.push_back({glm::dot(n, node.plane.n) >= 0.0 ? front : back, std::move(job.polygon)});
         break;
