@@ -77,7 +77,7 @@ void add_prepared(TextTable& table, const Prepared& prepared) {
   const double n = static_cast<double>(prepared.clusters.size());
   const double pairs = n * (n - 1.0) / 2.0;
   const auto rooms = std::ranges::count(prepared.cells.cells(), CellKind::room, &Cell::kind);
-  table.add("cells", with_thousands(prepared.cells.cells().size()));
+  table.add("cells", with_thousands(prepared.cells.open_cells()));
   table.add("rooms among them", with_thousands(static_cast<std::uint64_t>(rooms)));
   table.add("portals", with_thousands(prepared.cells.portals().size()));
   table.add("clusters", with_thousands(prepared.clusters.size()));

@@ -23,7 +23,7 @@ void run_prepare(const PrepareOptions& options, Session& session) {
   console.warnings(warnings);
   TextTable table(options.run);
   table.add("surfaces", with_thousands(prepared.scene.surfaces.size()));
-  table.add("cells", with_thousands(prepared.cells.cells().size()));
+  table.add("cells", with_thousands(prepared.cells.open_cells()));
   table.add("portals", with_thousands(prepared.cells.portals().size()));
   table.add("clusters", with_thousands(prepared.clusters.size()));
   table.add("visible pairs", with_thousands(prepared.graph.edges()));

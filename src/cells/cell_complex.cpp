@@ -1,6 +1,7 @@
 // Locating points in the cells, and cutting pieces at their borders.
 #include "cells/cell_complex.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -55,6 +56,11 @@ CellComplex::CellComplex(std::vector<Cell> cells, std::vector<Portal> portals,
       portals_(std::move(portals)),
       nodes_(std::move(nodes)),
       tolerance_m_(tolerance_m) {}
+
+std::size_t CellComplex::open_cells() const {
+  const auto open = [](const Cell& cell) { return cell.kind != CellKind::solid; };
+  return static_cast<std::size_t>(std::count_if(cells_.begin(), cells_.end(), open));
+}
 
 CellId CellComplex::locate(const Vec3& p) const {
   if (nodes_.empty()) return {};

@@ -57,6 +57,8 @@ class CellComplex {
               double tolerance_m);
 
   const std::vector<Cell>& cells() const { return cells_; }
+  /// Rooms and open space: the cells but the insides of solids.
+  std::size_t open_cells() const;
   const std::vector<Portal>& portals() const { return portals_; }
   const std::vector<BspNode>& nodes() const { return nodes_; }
   double tolerance_m() const { return tolerance_m_; }

@@ -1,5 +1,5 @@
 // The cells, portals and planes as bytes.
-#include "cells/byte_stream.hpp"
+#include "base/byte_stream.hpp"
 #include "cells/cell_complex.hpp"
 
 namespace enfilade {
@@ -11,7 +11,7 @@ constexpr std::string_view mark = "enfilade-cells-1";
 
 std::string to_bytes(const CellComplex& complex) {
   ByteWriter out;
-  for (const char c : mark) out.put(c);
+  out.put_mark(mark);
   out.put(complex.tolerance_m());
   out.put(static_cast<std::uint64_t>(complex.cells().size()));
   for (const Cell& cell : complex.cells()) {
@@ -24,7 +24,7 @@ std::string to_bytes(const CellComplex& complex) {
   for (const Portal& portal : complex.portals()) {
     out.put(portal.a.value);
     out.put(portal.b.value);
-    out.put_polygon(portal.polygon);
+    out.put_all<std::uint32_t>(portal.polygon);
   }
   out.put(static_cast<std::uint64_t>(complex.nodes().size()));
   for (const BspNode& node : complex.nodes()) {
@@ -34,14 +34,14 @@ std::string to_bytes(const CellComplex& complex) {
     out.put(node.back);
     out.put(node.cell.value);
   }
-  return out.take();
+  return out.text();
 }
 
 CellComplex complex_from_bytes(std::string_view bytes) {
   ByteReader in(bytes, "cells");
   in.expect(mark);
   const auto tolerance_m = in.get<double>();
-  std::vector<Cell> cells(in.count<Vec3>(in.get<std::uint64_t>()));
+  std::vector<Cell> cells(in.get_count(sizeof(Vec3)));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Cell& cell = cells[i];
     cell.id = CellId(i);
@@ -52,18 +52,18 @@ CellComplex complex_from_bytes(std::string_view bytes) {
     cell.bounds.hi = in.get<Vec3>();
     cell.volume_m3 = in.get<double>();
   }
-  std::vector<Portal> portals(in.count<Vec3>(in.get<std::uint64_t>()));
+  std::vector<Portal> portals(in.get_count(sizeof(Vec3)));
   for (std::size_t i = 0; i < portals.size(); ++i) {
     Portal& portal = portals[i];
     portal.id = PortalId(i);
     portal.a = CellId(in.get<std::uint32_t>());
     portal.b = CellId(in.get<std::uint32_t>());
-    portal.polygon = in.get_polygon();
+    portal.polygon = in.get_all<Vec3, std::uint32_t>();
     if (portal.a.index() >= cells.size() || portal.b.index() >= cells.size()) {
       throw RunError("cells: a portal to no cell");
     }
   }
-  std::vector<BspNode> nodes(in.count<Vec3>(in.get<std::uint64_t>()));
+  std::vector<BspNode> nodes(in.get_count(sizeof(Vec3)));
   for (BspNode& node : nodes) {
     node.plane.n = in.get<Vec3>();
     node.plane.d = in.get<double>();

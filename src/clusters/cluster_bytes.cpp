@@ -1,5 +1,5 @@
 // The clusters as bytes.
-#include "cells/byte_stream.hpp"
+#include "base/byte_stream.hpp"
 #include "clusters/cluster.hpp"
 
 namespace enfilade {
@@ -11,7 +11,7 @@ constexpr std::string_view mark = "enfilade-clusters-1";
 
 std::string to_bytes(std::span<const Cluster> clusters) {
   ByteWriter out;
-  for (const char c : mark) out.put(c);
+  out.put_mark(mark);
   out.put(static_cast<std::uint64_t>(clusters.size()));
   for (const Cluster& cluster : clusters) {
     out.put(cluster.cell.value);
@@ -22,16 +22,16 @@ std::string to_bytes(std::span<const Cluster> clusters) {
     out.put(static_cast<std::uint64_t>(cluster.polygons.size()));
     for (const ClusterPolygon& polygon : cluster.polygons) {
       out.put(polygon.surface.value);
-      out.put_polygon(polygon.polygon);
+      out.put_all<std::uint32_t>(polygon.polygon);
     }
   }
-  return out.take();
+  return out.text();
 }
 
 std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
   ByteReader in(bytes, "clusters");
   in.expect(mark);
-  std::vector<Cluster> clusters(in.count<Vec3>(in.get<std::uint64_t>()));
+  std::vector<Cluster> clusters(in.get_count(sizeof(Vec3)));
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     Cluster& cluster = clusters[i];
     cluster.id = ClusterId(i);
@@ -40,10 +40,10 @@ std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
     cluster.bounds.lo = in.get<Vec3>();
     cluster.bounds.hi = in.get<Vec3>();
     cluster.object = in.get_text();
-    cluster.polygons.resize(in.count<std::uint64_t>(in.get<std::uint64_t>()));
+    cluster.polygons.resize(in.get_count(sizeof(std::uint64_t)));
     for (ClusterPolygon& polygon : cluster.polygons) {
       polygon.surface = SurfaceId(in.get<std::uint32_t>());
-      polygon.polygon = in.get_polygon();
+      polygon.polygon = in.get_all<Vec3, std::uint32_t>();
     }
   }
   in.expect_end();

@@ -1,23 +1,13 @@
 #include "clusters/contact_segments.hpp"
 
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "scene/box_tree.hpp"
+
 namespace enfilade {
 namespace {
-
-namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<TreePoint>;
-using TreeEntry = std::pair<TreeBox, std::uint32_t>;
-
-TreeBox tree_box(const Box& b, double grow) {
-  return {{b.lo.x - grow, b.lo.y - grow, b.lo.z - grow},
-          {b.hi.x + grow, b.hi.y + grow, b.hi.z + grow}};
-}
 
 /// Planes through the edges at right angles to the polygon, looking inward.
 std::vector<Plane> inward_planes(const Polygon& polygon, const Vec3& n) {
@@ -50,13 +40,26 @@ bool same(const Segment& s, const Segment& t, double tolerance_m) {
   return (close(s.a, t.a) && close(s.b, t.b)) || (close(s.a, t.b) && close(s.b, t.a));
 }
 
+std::vector<Box> boxes_of(std::span<const Polygon* const> polygons) {
+  std::vector<Box> boxes;
+  for (const Polygon* polygon : polygons) boxes.push_back(bounds(*polygon));
+  return boxes;
+}
+
 }  // namespace
 
 struct ContactSegments::Impl {
+  Impl(std::span<const Polygon* const> all, double tolerance, double min_length)
+      : polygons(all),
+        tolerance_m(tolerance),
+        min_length_m(min_length),
+        boxes(boxes_of(all)),
+        tree(boxes) {}
+
   std::span<const Polygon* const> polygons;
   double tolerance_m, min_length_m;
   std::vector<Box> boxes;
-  bg::index::rtree<TreeEntry, bg::index::rstar<16>> tree;
+  BoxTree tree;
 
   void add(const Polygon& other, const Plane& plane, std::vector<Segment>& found) const;
 };
@@ -90,31 +93,17 @@ void ContactSegments::Impl::add(const Polygon& other, const Plane& plane,
 
 ContactSegments::ContactSegments(std::span<const Polygon* const> polygons, double tolerance_m,
                                  double min_length_m)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->polygons = polygons;
-  impl_->tolerance_m = tolerance_m;
-  impl_->min_length_m = min_length_m;
-  std::vector<TreeEntry> entries;
-  for (std::uint32_t i = 0; i < polygons.size(); ++i) {
-    impl_->boxes.push_back(bounds(*polygons[i]));
-    entries.emplace_back(tree_box(impl_->boxes.back(), 0.0), i);
-  }
-  impl_->tree = decltype(impl_->tree)(entries.begin(), entries.end());
-}
+    : impl_(std::make_unique<Impl>(polygons, tolerance_m, min_length_m)) {}
 
 ContactSegments::~ContactSegments() = default;
 
 std::vector<Segment> ContactSegments::inside(std::size_t i) const {
   const Polygon& polygon = *impl_->polygons[i];
   const Plane plane = plane_of(polygon);
-  std::vector<std::uint32_t> near;
-  const auto touching = bg::index::intersects(tree_box(impl_->boxes[i], impl_->tolerance_m));
-  for (auto it = impl_->tree.qbegin(touching); it != impl_->tree.qend(); ++it) {
-    if (it->second != i) near.push_back(it->second);
-  }
-  std::sort(near.begin(), near.end());  // the tree's order is nobody's business
   std::vector<Segment> all;
-  for (const std::uint32_t j : near) impl_->add(*impl_->polygons[j], plane, all);
+  for (const std::uint32_t j : impl_->tree.touching(impl_->boxes[i], impl_->tolerance_m)) {
+    if (j != i) impl_->add(*impl_->polygons[j], plane, all);
+  }
 
   const std::vector<Plane> planes = inward_planes(polygon, plane.n);
   std::vector<Segment> clipped;

@@ -119,10 +119,13 @@ class SimulatedMachine final : public Machine {
     if (remote) s4u::this_actor::sleep_for(costs_.disk.request_s);
     if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
     const s4u::MutexPtr queue = arm_of(*server.disk).queue;
+    // The arm serves one request at a time, so the transfer has the disk's whole bandwidth: what
+    // SimGrid's own disk activity would take, without its record of every activity ever made, which
+    // each later one has to search.
+    const double bandwidth =
+        reading ? server.disk->get_read_bandwidth() : server.disk->get_write_bandwidth();
     queue->lock();
-    s4u::this_actor::sleep_for(seek_s(*server.disk));
-    if (bytes > 0 && reading) server.disk->read(static_cast<sg_size_t>(bytes));
-    if (bytes > 0 && !reading) server.disk->write(static_cast<sg_size_t>(bytes));
+    s4u::this_actor::sleep_for(seek_s(*server.disk) + static_cast<double>(bytes) / bandwidth);
     queue->unlock();
     if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
   }

@@ -10,7 +10,7 @@ namespace enfilade {
 
 /// What the coarse system adds to the light of every cluster before the next iteration.
 struct Correction {
-  std::vector<double> offsets;  ///< as the ClusterWork understands them; empty = none
+  std::vector<double> changes;  ///< as the ClusterWork understands them; empty = none
   double missing_power =
       0.0;  ///< how much that is: an estimate of what the iterations still lacked
 };
@@ -18,9 +18,9 @@ struct Correction {
 class ClusterWork {
  public:
   virtual ~ClusterWork() = default;
-  /// Iteration plan.iteration - 1 is committed; its light is corrected by `offsets`, and the
+  /// Iteration plan.iteration - 1 is committed; its light is corrected by `changes`, and the
   /// iteration of the plan begins.
-  virtual void begin(const IterationPlan& plan, std::span<const double> offsets) = 0;
+  virtual void begin(const IterationPlan& plan, std::span<const double> changes) = 0;
   /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the cluster's part of the
   /// sums.
   virtual IterationSums gather(ClusterId receiver) = 0;
@@ -36,7 +36,7 @@ class ClusterWork {
   }
   virtual Correction correct(std::span<const double>) const { return {}; }
   /// On rank 0, once every rank has moved: makes the last of `history` the committed iteration.
-  virtual void commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
+  virtual void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
                       bool finished) = 0;
 };
 

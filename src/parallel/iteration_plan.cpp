@@ -18,7 +18,7 @@ double first_epsilon(const PlanConfig& config) {
   return config.epsilon > 0.0 ? config.epsilon : 2.5e-3 * config.target_error;
 }
 double tolerance_of(const PlanConfig& config) {
-  return config.tolerance > 0.0 ? config.tolerance : 0.1 * config.target_error;
+  return config.tolerance > 0.0 ? config.tolerance : 0.02 * config.target_error;
 }
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;

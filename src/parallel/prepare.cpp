@@ -24,6 +24,27 @@ std::string hex(std::uint64_t value) {
   return text;
 }
 
+/// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
+/// option compiles unless it is put here too.
+nlohmann::ordered_json options_of(const PrepareConfig& config) {
+  const auto& [cells, sealed, clusters] = config;
+  const auto& [min_occlusion, tolerance_relative, max_leaves] = cells;
+  const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
+  const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
+  return {{"min_occlusion", min_occlusion},
+          {"tolerance_relative", tolerance_relative},
+          {"max_leaves", max_leaves},
+          {"sealed_walks", walks},
+          {"sealed_max_bounces", max_bounces},
+          {"sealed_max_parts", max_parts},
+          {"sealed_min_length_relative", min_length_relative},
+          {"sealed_seed", seed},
+          {"cluster_max_polygons", max_polygons},
+          {"cluster_max_extent_share", max_extent_share},
+          {"cluster_large_share", large_share},
+          {"cluster_pool_polygons", pool_polygons}};
+}
+
 /// run.json: the mark that a RUN is prepared.
 nlohmann::json read_mark(const std::string& run_directory) {
   std::ifstream in(run_directory + "/run.json");
@@ -82,21 +103,21 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));
   write_graph(p.graph, run_directory + "/graph.txt");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const nlohmann::ordered_json mark = {{"format", "enfilade-run"},
-                                       {"version", 1},
-                                       {"scene_hash", hex(p.scene.hash)},
-                                       {"clusters", p.clusters.size()},
-                                       {"covered_area_m2", p.covered_area_m2},
-                                       {"prepare_s", p.prepare_s}};
+  const nlohmann::ordered_json mark = {
+      {"format", "enfilade-run"},        {"version", 1},
+      {"scene_hash", hex(p.scene.hash)}, {"options", options_of(config)},
+      {"clusters", p.clusters.size()},   {"covered_area_m2", p.covered_area_m2},
+      {"prepare_s", p.prepare_s}};
   replace_file(run_directory + "/run.json", mark.dump(1) + "\n");
   report_progress(progress, "visibility", 1.0);
   return p;
 }
 
-bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash) {
+bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
+                 const PrepareConfig& config) {
   const nlohmann::json mark = read_mark(run_directory);
-  if (mark.is_null()) return false;
-  return scene_hash == 0 || mark.value("scene_hash", "") == hex(scene_hash);
+  if (mark.is_null() || mark.value("scene_hash", "") != hex(scene_hash)) return false;
+  return mark.value("options", nlohmann::json()) == nlohmann::json(options_of(config));
 }
 
 Prepared load_prepared(const std::string& run_directory) {
@@ -124,7 +145,7 @@ Prepared prepare_on_root(Communicator& communicator, const std::string& scene_fi
   communicator.on_root([&] {
     if (!scene_file.empty()) {
       const Scene scene = read_scene(scene_file, warnings);
-      if (!is_prepared(run_directory, scene.hash)) {
+      if (!is_prepared(run_directory, scene.hash, config)) {
         prepared = prepare(scene, run_directory, config, warnings, progress);
       }
     }

@@ -38,11 +38,13 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
                  Warnings& warnings, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
 Prepared load_prepared(const std::string& run_directory);
-/// Is `run_directory` prepared (for the scene with this hash; 0 = for any)?
-bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash = 0);
+/// Is `run_directory` prepared for the scene with this hash, and with this configuration?
+bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
+                 const PrepareConfig& config);
 
-/// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, that
-/// is kept); then every rank has it. `scene_file` may be empty: RUN must be prepared then.
+/// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, and
+/// with this configuration, that is kept); then every rank has it. `scene_file` may be empty: RUN
+/// must be prepared then.
 Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
                          const std::string& run_directory, const PrepareConfig& config,
                          Warnings& warnings, const Progress& progress = {});

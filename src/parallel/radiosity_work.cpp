@@ -37,10 +37,10 @@ void RadiosityWork::initialise(std::span<const ClusterId> own) {
   }
 }
 
-void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> offsets) {
+void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   store_.set_committed(plan.iteration - 1);
   coarse_ = CoarseSystem(groups_, bands_);
-  resident_.set_correction([this, own = std::vector<double>(offsets.begin(), offsets.end())](
+  resident_.set_correction([this, own = std::vector<double>(changes.begin(), changes.end())](
                                ClusterState& state) {
     if (own.empty()) return;
     state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
@@ -49,21 +49,28 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> off
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
   resident_.set_committed_only(config_.same_on_any_ranks && plan.refine);
   gather_config_.iteration = plan.iteration;
-  gather_config_.link_tolerance = plan.link_tolerance;
+  gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
   gather_config_.close_rows = plan.close_rows;
-  gather_config_.max_depth = config_.max_depth;
-  gather_config_.min_area_m2 = config_.min_area_m2;
+  gather_config_.refinement.max_depth = config_.max_depth;
+  gather_config_.refinement.min_area_m2 = config_.min_area_m2;
+}
+
+std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {
+  std::vector<ClusterId> visible;
+  for (const std::uint32_t n : prepared_.graph.neighbours(receiver.index()))
+    visible.emplace_back(n);
+  visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
+  return visible;
 }
 
 IterationSums RadiosityWork::gather(ClusterId receiver) {
-  ClusterState& state = resident_.pin_receiver(receiver);
-  std::vector<const ClusterState*> shooters;
-  for (const std::uint32_t n : prepared_.graph.neighbours(receiver.index())) {
-    shooters.push_back(&resident_.pin_shooter(ClusterId(n)));
-  }
-  const GatherResult result =
-      enfilade::gather(state, shooters, prepared_.scene.lights, occluders_, gather_config_);
+  const std::vector<ClusterId> visible = visible_to(receiver);
+  ClusterState& state = resident_.pin_receiver(receiver, visible);
+  const GatherResult result = enfilade::gather(
+      state, visible,
+      [this](ClusterId id) -> const ClusterState& { return resident_.pin_shooter(id); },
+      prepared_.scene.lights, occluders_, gather_config_);
   machine_.compute(result.work);
   coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
   resident_.write_receiver(receiver);
@@ -91,20 +98,20 @@ std::vector<double> RadiosityWork::merge(std::span<const double> a,
 Correction RadiosityWork::correct(std::span<const double> coarse) const {
   const CoarseSystem system = CoarseSystem::from_numbers(coarse);
   Correction correction;
-  correction.offsets = system.solve();
-  correction.missing_power = system.power(correction.offsets);
+  correction.changes = system.solve();
+  correction.missing_power = system.power(correction.changes);
   return correction;
 }
 
 void RadiosityWork::commit(const std::vector<IterationSummary>& history,
-                           std::span<const double> offsets, bool finished) {
+                           std::span<const double> changes, bool finished) {
   Manifest manifest;
   manifest.iteration = history.empty() ? 0 : history.back().plan.iteration;
   manifest.clusters = prepared_.clusters.size();
   manifest.basis = config_.basis;
   manifest.scene_hash = prepared_.scene.hash;
   manifest.finished = finished;
-  manifest.correction.assign(offsets.begin(), offsets.end());
+  manifest.correction.assign(changes.begin(), changes.end());
   manifest.group_of_cluster = group_of_cluster_;
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);

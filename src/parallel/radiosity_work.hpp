@@ -34,14 +34,14 @@ class RadiosityWork final : public ClusterWork {
     resident_.set_next_use(std::move(next_use));
   }
 
-  void begin(const IterationPlan& plan, std::span<const double> offsets) override;
+  void begin(const IterationPlan& plan, std::span<const double> changes) override;
   IterationSums gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
   void move_to_common() override { store_.move_to_common(); }
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   Correction correct(std::span<const double> coarse) const override;
-  void commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
+  void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
   /// Longest that coarse() can be, in numbers.
@@ -50,6 +50,9 @@ class RadiosityWork final : public ClusterWork {
   const ResidencyCount& residency_count() const { return resident_.count(); }
 
  private:
+  /// In ascending order, itself among them.
+  std::vector<ClusterId> visible_to(ClusterId receiver) const;
+
   const Prepared& prepared_;
   Machine& machine_;
   RadiosityWorkConfig config_;

@@ -37,7 +37,7 @@ double flux_balance(const Spectrum& emitted, const Spectrum& absorbed) {
 void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
   record.set("surfaces", prepared.scene.surfaces.size());
   record.set("lights", prepared.scene.lights.size());
-  record.set("cells", prepared.cells.cells().size());
+  record.set("cells", prepared.cells.open_cells());
   record.set("portals", prepared.cells.portals().size());
   record.set("clusters", prepared.clusters.size());
   record.set("cluster_edges", prepared.graph.edges());

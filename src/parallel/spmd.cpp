@@ -30,7 +30,7 @@ IterationSums gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue,
 
 IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
                        Machine& machine, const SpmdConfig& config, IterationPlan plan,
-                       std::vector<double> offsets, std::vector<IterationSummary>& history,
+                       std::vector<double> changes, std::vector<IterationSummary>& history,
                        const PlanNext& plan_next, const SummaryObserver& observer) {
   Dialogue dialogue(communicator, machine, tasks);
   Thief thief(communicator, machine, dialogue);
@@ -47,10 +47,10 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     history.push_back(summary);
     history.back().estimated_error = estimate_error(history);
     const IterationPlan next = plan_next(history);
-    work.commit(history, correction.offsets, next.finished);
+    work.commit(history, correction.changes, next.finished);
     if (observer) observer(history.back());
     return Verdict{next.finished ? -1.0 : history.back().sums.max_change, to_numbers(next),
-                   correction.offsets};
+                   correction.changes};
   };
   const auto add_own = [&work](Token& token, const Token& own) {
     fold(token, own);
@@ -58,7 +58,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
   };
 
   while (!plan.finished) {
-    work.begin(plan, offsets);
+    work.begin(plan, changes);
     tasks.start();
     thief.start(plan.iteration);
     dialogue.start(plan.iteration);
@@ -68,7 +68,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     if (config.coarse_correction) own.coarse = work.coarse();
     Verdict verdict = go_round(communicator, machine, dialogue, own, decide, add_own);
     plan = plan_from(verdict.plan);
-    offsets = std::move(verdict.correction);
+    changes = std::move(verdict.correction);
   }
   return plan;
 }

@@ -1,63 +1,9 @@
 #include "radiosity/cluster_state.hpp"
 
-#include <cstring>
-#include <type_traits>
-
-#include "base/error.hpp"
+#include "base/byte_stream.hpp"
 
 namespace enfilade {
 namespace {
-
-class Writer {
- public:
-  template <class T>
-  void put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* p = reinterpret_cast<const std::byte*>(&value);
-    bytes_.insert(bytes_.end(), p, p + sizeof(T));
-  }
-  template <class T>
-  void put_all(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    put(static_cast<std::uint64_t>(values.size()));
-    const auto* p = reinterpret_cast<const std::byte*>(values.data());
-    bytes_.insert(bytes_.end(), p, p + values.size() * sizeof(T));
-  }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  template <class T>
-  T get() {
-    T value;
-    std::memcpy(&value, advance(sizeof(T)), sizeof(T));
-    return value;
-  }
-  template <class T>
-  std::vector<T> get_all() {
-    const auto n = get<std::uint64_t>();
-    if (n > bytes_.size() / sizeof(T)) throw RunError("a cluster's record is cut short");
-    std::vector<T> values(n);
-    const std::byte* from = advance(n * sizeof(T));
-    if (n > 0) std::memcpy(values.data(), from, n * sizeof(T));
-    return values;
-  }
-
- private:
-  const std::byte* advance(std::size_t n) {
-    if (n > bytes_.size() - at_) throw RunError("a cluster's record is cut short");
-    const std::byte* p = bytes_.data() + at_;
-    at_ += n;
-    return p;
-  }
-  std::span<const std::byte> bytes_;
-  std::size_t at_ = 0;
-};
 
 /// The frame's first axis runs along the longest edge, so that a rectangle is cut along its sides.
 PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
@@ -95,7 +41,7 @@ std::size_t link_stride(Basis basis) { return basis == Basis::linear ? 9 : 4; }
 /// Reads and writes the private parts of the solver's structures, section by section.
 class ClusterStateCodec {
  public:
-  static void write_geometry(const PatchForest& f, Writer& w) {
+  static void write_geometry(const PatchForest& f, ByteWriter& w) {
     w.put(f.bands_);
     w.put(f.terms_);
     w.put(static_cast<std::uint64_t>(f.frames_.size()));
@@ -113,11 +59,11 @@ class ClusterStateCodec {
     w.put_all(f.order_);
   }
 
-  static PatchForest read_geometry(Reader& r) {
+  static PatchForest read_geometry(ByteReader& r) {
     PatchForest f;
     f.bands_ = r.get<int>();
     f.terms_ = r.get<int>();
-    f.frames_.resize(r.get<std::uint64_t>());
+    f.frames_.resize(r.get_count(sizeof(Vec3)));
     for (PolygonFrame& frame : f.frames_) {
       frame.surface = r.get<SurfaceId>();
       frame.origin = r.get<Vec3>();
@@ -134,7 +80,7 @@ class ClusterStateCodec {
   }
 
   /// Only which node was split is kept: shapes follow from the polygons by the same cuts.
-  static void write_patches(const PatchForest& f, Writer& w) {
+  static void write_patches(const PatchForest& f, ByteWriter& w) {
     std::vector<std::uint32_t> splits;
     for (std::size_t c = f.frames_.size(); c < f.nodes_.size(); c += 2) {
       splits.push_back(static_cast<std::uint32_t>(f.nodes_[c].parent));
@@ -147,7 +93,7 @@ class ClusterStateCodec {
     w.put_all(f.sealed_);
   }
 
-  static void read_patches(PatchForest& f, Reader& r) {
+  static void read_patches(PatchForest& f, ByteReader& r) {
     f.radiosity_.resize(f.nodes_.size() * f.stride());
     f.irradiance_.resize(f.nodes_.size() * f.stride());
     f.deviation_.resize(f.nodes_.size());
@@ -171,14 +117,16 @@ class ClusterStateCodec {
     f.pull_groups();
   }
 
-  static void write_links(const LinkSet& l, Writer& w) {
+  static void write_links(const LinkSet& l, ByteWriter& w) {
     w.put(static_cast<std::uint64_t>(l.stride_));
     w.put_all(l.links_);
     w.put_all(l.transport_);
   }
 
-  static LinkSet read_links(Reader& r) {
-    LinkSet l(r.get<std::uint64_t>());
+  static LinkSet read_links(ByteReader& r, std::size_t stride) {
+    if (r.get<std::uint64_t>() != stride)
+      throw RunError("a cluster's record holds links of another basis");
+    LinkSet l(stride);
     l.links_ = r.get_all<Link>();
     l.transport_ = r.get_all<float>();
     if (l.transport_.size() != l.links_.size() * l.stride_) {
@@ -203,11 +151,11 @@ class ClusterStateCodec {
   }
 
  private:
-  static void write_node(const PatchNode& n, Writer& w) {
+  static void write_node(const PatchNode& n, ByteWriter& w) {
     w.put(n.id);
     w.put_all(n.shape.vertices);
   }
-  static PatchNode read_node(Reader& r) {
+  static PatchNode read_node(ByteReader& r) {
     PatchNode n;
     n.id = r.get<PatchId>();
     n.shape = PatchShape::from(r.get_all<Vec2>());
@@ -225,19 +173,23 @@ ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis bas
 
 ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
                            std::span<const std::byte> links) {
-  Reader g(geometry);
+  const std::string what = "a cluster's record";
+  ByteReader g(geometry, what);
   id_ = g.get<ClusterId>();
   cell_ = g.get<CellId>();
   basis_ = g.get<Basis>();
   patches_ = ClusterStateCodec::read_geometry(g);
+  g.expect_end();
   bands_ = patches_.bands();
-  Reader p(patches);
+  ByteReader p(patches, what);
   iteration_ = p.get<int>();
   ClusterStateCodec::read_patches(patches_, p);
+  p.expect_end();
   links_ = LinkSet(link_stride(basis_));
   if (!links.empty()) {
-    Reader l(links);
-    links_ = ClusterStateCodec::read_links(l);
+    ByteReader l(links, what);
+    links_ = ClusterStateCodec::read_links(l, link_stride(basis_));
+    l.expect_end();
   }
 }
 
@@ -253,12 +205,10 @@ ClusterState ClusterState::shooter() const {
   return copy;
 }
 
-void ClusterState::correct(std::span<const double> irradiance_offset) {
-  patches_.offset(irradiance_offset);
-}
+void ClusterState::correct(std::span<const double> changes) { patches_.add_share(changes); }
 
 std::vector<std::byte> ClusterState::bytes_of(Section section) const {
-  Writer w;
+  ByteWriter w;
   switch (section) {
     case Section::geometry:
       w.put(id_);

@@ -32,9 +32,8 @@ class ClusterState {
 
   /// A copy of what others need of it: everything but the links.
   ClusterState shooter() const;
-  /// Adds a coarse correction to the irradiance (per band) of all patches, and what they reflect of
-  /// it.
-  void correct(std::span<const double> irradiance_offset);
+  /// Applies a coarse correction: the relative change of all of its light, per band.
+  void correct(std::span<const double> changes);
   /// The iteration that it was last gathered for in; 0 = never.
   int iteration() const { return iteration_; }
   void set_iteration(int iteration) { iteration_ = iteration; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 
@@ -34,110 +35,142 @@ std::vector<std::uint32_t> coarse_groups(std::span<const Cluster> clusters, std:
 CoarseSystem::CoarseSystem(std::size_t groups, std::size_t bands)
     : groups_(groups),
       bands_(bands),
-      area_(groups, 0.0),
-      change_(groups * bands, 0.0),
+      before_(groups * bands, 0.0),
+      after_(groups * bands, 0.0),
       rows_(groups) {}
+
+CoarseSystem::Coupling& CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
+  std::vector<Coupling>& couplings = rows_[row];
+  auto at = std::lower_bound(couplings.begin(), couplings.end(), column,
+                             [](const Coupling& c, std::uint32_t k) { return c.column < k; });
+  if (at == couplings.end() || at->column != column) {
+    const std::vector<double> none(bands_, 0.0);
+    at = couplings.insert(at, {column, none, none});
+  }
+  return *at;
+}
 
 void CoarseSystem::add(std::uint32_t group, const CoarseRow& row,
                        std::span<const std::uint32_t> group_of_cluster) {
-  area_[group] += row.area_m2;
-  for (std::size_t b = 0; b < bands_; ++b) change_[group * bands_ + b] += row.change[b];
+  for (std::size_t b = 0; b < bands_; ++b) {
+    before_[group * bands_ + b] += row.before[b];
+    after_[group * bands_ + b] += row.after[b];
+  }
   for (const CoarseRow::Entry& entry : row.entries) {
-    const std::uint32_t column = group_of_cluster[entry.shooter.index()];
-    auto at = std::lower_bound(rows_[group].begin(), rows_[group].end(), column,
-                               [](const Coupling& c, std::uint32_t k) { return c.column < k; });
-    if (at == rows_[group].end() || at->column != column) {
-      const std::vector<double> none(bands_, 0.0);
-      at = rows_[group].insert(at, {column, none, none});
-    }
-    for (std::size_t b = 0; b < bands_; ++b) {
-      at->all[b] += entry.coupling[b];
-      if (entry.stale) at->stale[b] += entry.coupling[b];
-    }
+    Coupling& to = coupling(group, group_of_cluster[entry.shooter.index()]);
+    std::vector<double>& flow = entry.stale ? to.stale : to.fresh;
+    for (std::size_t b = 0; b < bands_; ++b) flow[b] += entry.flow[b];
   }
 }
 
 void CoarseSystem::merge(const CoarseSystem& other) {
   ENFILADE_CHECK(other.groups_ == groups_ && other.bands_ == bands_, std::to_string(other.groups_));
+  for (std::size_t i = 0; i < after_.size(); ++i) {
+    before_[i] += other.before_[i];
+    after_[i] += other.after_[i];
+  }
   for (std::size_t g = 0; g < groups_; ++g) {
-    area_[g] += other.area_[g];
-    for (std::size_t b = 0; b < bands_; ++b)
-      change_[g * bands_ + b] += other.change_[g * bands_ + b];
     for (const Coupling& c : other.rows_[g]) {
-      auto at = std::lower_bound(rows_[g].begin(), rows_[g].end(), c.column,
-                                 [](const Coupling& x, std::uint32_t k) { return x.column < k; });
-      if (at == rows_[g].end() || at->column != c.column) {
-        rows_[g].insert(at, c);
-        continue;
-      }
+      Coupling& to = coupling(g, c.column);
       for (std::size_t b = 0; b < bands_; ++b) {
-        at->all[b] += c.all[b];
-        at->stale[b] += c.stale[b];
+        to.fresh[b] += c.fresh[b];
+        to.stale[b] += c.stale[b];
       }
     }
   }
 }
 
-/// BiCGSTAB (van der Vorst 1992) with the areas as preconditioner, one band at a time.
 std::vector<double> CoarseSystem::solve() const {
-  std::vector<double> offsets(groups_ * bands_, 0.0);
-  const std::size_t n = groups_;
+  std::vector<double> changes(groups_ * bands_, 0.0);
   for (std::size_t band = 0; band < bands_; ++band) {
-    auto area = [&](std::size_t i) { return area_[i] > 0.0 ? area_[i] : 1.0; };
-    auto apply = [&](const std::vector<double>& x) {  // (I - K / S) x
-      std::vector<double> y(x);
-      for (std::size_t i = 0; i < n; ++i) {
-        for (const Coupling& c : rows_[i]) y[i] -= c.all[band] * x[c.column] / area(i);
-      }
-      return y;
-    };
-    auto dot = [&](const std::vector<double>& a, const std::vector<double>& b) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-      return sum;
-    };
-    std::vector<double> r(n, 0.0);
+    const std::vector<double> x = solve_band(band);
+    for (std::size_t i = 0; i < groups_; ++i) changes[i * bands_ + band] = x[i];
+  }
+  return changes;
+}
+
+/// BiCGSTAB (van der Vorst 1992) with the groups' power as preconditioner, for x = z - 1:
+/// P_c x_c - sum f'_cd x_d = sum (f'_cd - f_cd).
+std::vector<double> CoarseSystem::solve_band(std::size_t band) const {
+  const std::size_t n = groups_;
+  // How much the light that was read stale has grown since, and what then leaves each group: never
+  // more than arrived there, whatever rounding and the links' errors say.
+  std::vector<double> growth(n, 1.0), leaves(n, 0.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    const double before = before_[j * bands_ + band], after = after_[j * bands_ + band];
+    if (before > 0.0 && after > 0.0) growth[j] = after / before;
+  }
+  const auto flow = [&](const Coupling& c) {
+    return c.fresh[band] + growth[c.column] * c.stale[band];
+  };
+  for (const auto& row : rows_) {
+    for (const Coupling& c : row) leaves[c.column] += std::max(0.0, flow(c));
+  }
+  std::vector<double> share(n, 1.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    const double most = 0.9999 * std::max(0.0, after_[j * bands_ + band]);
+    if (leaves[j] > most) share[j] = most / leaves[j];
+  }
+  const auto power = [&](std::size_t i) {
+    const double p = after_[i * bands_ + band];
+    return p > 0.0 ? p : 1.0;
+  };
+  const auto apply = [&](const std::vector<double>& x) {
+    std::vector<double> y(x);
     for (std::size_t i = 0; i < n; ++i) {
       for (const Coupling& c : rows_[i]) {
-        r[i] += c.stale[band] * change_[c.column * bands_ + band] / area(c.column) / area(i);
+        y[i] -= share[c.column] * flow(c) * x[c.column] / power(i);
       }
     }
-    std::vector<double> x(n, 0.0), p(n, 0.0), v(n, 0.0);
-    const std::vector<double> shadow = r;
-    const double start = std::sqrt(dot(r, r));
-    if (start <= 0.0) continue;
-    double rho = 1.0, alpha = 1.0, omega = 1.0;
-    for (int k = 0; k < 500 && std::sqrt(dot(r, r)) > 1e-6 * start; ++k) {
-      const double next = dot(shadow, r);
-      if (next == 0.0 || omega == 0.0) break;
-      const double beta = next / rho * alpha / omega;
-      rho = next;
-      for (std::size_t i = 0; i < n; ++i) p[i] = r[i] + beta * (p[i] - omega * v[i]);
-      v = apply(p);
-      const double along = dot(shadow, v);
-      if (along == 0.0) break;
-      alpha = rho / along;
-      std::vector<double> s(r);
-      for (std::size_t i = 0; i < n; ++i) s[i] -= alpha * v[i];
-      const std::vector<double> t = apply(s);
-      const double tt = dot(t, t);
-      omega = tt > 0.0 ? dot(t, s) / tt : 0.0;
-      for (std::size_t i = 0; i < n; ++i) {
-        x[i] += alpha * p[i] + omega * s[i];
-        r[i] = s[i] - omega * t[i];
-      }
+    return y;
+  };
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  std::vector<double> r(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (after_[i * bands_ + band] <= 0.0) continue;
+    for (const Coupling& c : rows_[i]) {
+      r[i] += (growth[c.column] - 1.0) * c.stale[band] / power(i);
     }
-    const bool good = std::sqrt(dot(r, r)) <= 0.1 * start;  // else do without
-    for (std::size_t i = 0; i < n && good; ++i) offsets[i * bands_ + band] = x[i];
   }
-  return offsets;
+  std::vector<double> x(n, 0.0), p(n, 0.0), v(n, 0.0);
+  const std::vector<double> shadow = r;
+  const double start = std::sqrt(dot(r, r));
+  if (start <= 0.0) return x;
+  double rho = 1.0, alpha = 1.0, omega = 1.0;
+  for (int k = 0; k < 500 && std::sqrt(dot(r, r)) > 1e-6 * start; ++k) {
+    const double next = dot(shadow, r);
+    if (next == 0.0 || omega == 0.0) break;
+    const double beta = next / rho * alpha / omega;
+    rho = next;
+    for (std::size_t i = 0; i < n; ++i) p[i] = r[i] + beta * (p[i] - omega * v[i]);
+    v = apply(p);
+    const double along = dot(shadow, v);
+    if (along == 0.0) break;
+    alpha = rho / along;
+    std::vector<double> s(r);
+    for (std::size_t i = 0; i < n; ++i) s[i] -= alpha * v[i];
+    const std::vector<double> t = apply(s);
+    const double tt = dot(t, t);
+    omega = tt > 0.0 ? dot(t, s) / tt : 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] += alpha * p[i] + omega * s[i];
+      r[i] = s[i] - omega * t[i];
+    }
+  }
+  if (std::sqrt(dot(r, r)) > 0.1 * start) return std::vector<double>(n, 0.0);  // do without
+  for (double& change : x) change = std::max(change, -1.0);  // light is never negative
+  return x;
 }
 
-double CoarseSystem::power(std::span<const double> offsets) const {
+double CoarseSystem::power(std::span<const double> changes) const {
   double worst = 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
     double sum = 0.0;
-    for (std::size_t g = 0; g < groups_; ++g) sum += area_[g] * std::abs(offsets[g * bands_ + b]);
+    for (std::size_t g = 0; g < groups_; ++g) {
+      sum += std::abs(after_[g * bands_ + b] * changes[g * bands_ + b]);
+    }
     worst = std::max(worst, sum);
   }
   return worst;
@@ -145,13 +178,13 @@ double CoarseSystem::power(std::span<const double> offsets) const {
 
 std::vector<double> CoarseSystem::to_numbers() const {
   std::vector<double> numbers{static_cast<double>(groups_), static_cast<double>(bands_)};
-  numbers.insert(numbers.end(), area_.begin(), area_.end());
-  numbers.insert(numbers.end(), change_.begin(), change_.end());
+  numbers.insert(numbers.end(), before_.begin(), before_.end());
+  numbers.insert(numbers.end(), after_.begin(), after_.end());
   for (const auto& row : rows_) {
     numbers.push_back(static_cast<double>(row.size()));
     for (const Coupling& c : row) {
       numbers.push_back(c.column);
-      numbers.insert(numbers.end(), c.all.begin(), c.all.end());
+      numbers.insert(numbers.end(), c.fresh.begin(), c.fresh.end());
       numbers.insert(numbers.end(), c.stale.begin(), c.stale.end());
     }
   }
@@ -168,8 +201,8 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
               numbers.begin() + static_cast<std::ptrdiff_t>(at + n));
     at += n;
   };
-  take(system.area_, system.groups_);
-  take(system.change_, system.groups_ * system.bands_);
+  take(system.before_, system.groups_ * system.bands_);
+  take(system.after_, system.groups_ * system.bands_);
   std::vector<double> head;
   for (auto& row : system.rows_) {
     take(head, 1);
@@ -177,7 +210,7 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
     for (Coupling& c : row) {
       take(head, 1);
       c.column = static_cast<std::uint32_t>(head[0]);
-      take(c.all, system.bands_);
+      take(c.fresh, system.bands_);
       take(c.stale, system.bands_);
     }
   }

@@ -2,12 +2,13 @@
 // of the error does not wait for light to be gathered from room to room and back, whatever the
 // number of ranks.
 //
-// With E the irradiance and K the gathering operator (E = K (M + rho E) + direct), one sweep of the
-// paper's group iteration leaves the residual r = K_stale rho (E_new - E_old), where K_stale holds
-// the links that read a value from before the sweep. Galerkin over clusters, offsets d constant on
-// each:
-//   (S - K) d = K_stale D / S,   S = area, K_cd = sum of A_i F_ij rho_j, D = sum of A (E_new -
-//   E_old).
+// Iterative aggregation (Takahashi 1975; Schweitzer 1991): the light of each group's polygons keeps
+// its proportions and is scaled by one factor z, such that every group's balance holds (over a
+// polygon the change is spread evenly: light of many reflections is smooth): with P the power that
+// arrives at a group and f_cd what of it comes from group d by reflection,
+//   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d,   f' = f, times P_new / P_old of the shooting
+// group where its light was read as it was before this iteration's gather. A group in the dark
+// stays dark, and light that belongs to nobody (left over from a coarser mesh) dies at once.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +20,16 @@
 
 namespace enfilade {
 
-/// One receiving cluster's row of the coarse system, filled by gather().
+/// One receiving cluster's row of the coarse system, filled by gather(). Powers: area times
+/// irradiance, the scene's unit times m2.
 struct CoarseRow {
   struct Entry {
     ClusterId shooter;
-    bool stale = false;            ///< the shooter had not been gathered for in this iteration yet
-    std::vector<double> coupling;  ///< per band: sum of A_i F_ij rho_j, m2
+    bool stale = false;        ///< the shooter had not been gathered for in this iteration yet
+    std::vector<double> flow;  ///< per band: power that came from what the shooter reflects
   };
-  double area_m2 = 0.0;
-  std::vector<double> change;  ///< per band: sum of A (E_new - E_old)
-  std::vector<Entry> entries;  ///< by ascending shooter
+  std::vector<double> before, after;  ///< per band: power that arrives, last gather and this one
+  std::vector<Entry> entries;         ///< by ascending shooter
 };
 
 /// group[cluster] = its unknown. Clusters are unknowns themselves up to `most`; beyond, those of a
@@ -43,10 +44,10 @@ class CoarseSystem {
   void add(std::uint32_t group, const CoarseRow& row,
            std::span<const std::uint32_t> group_of_cluster);
   void merge(const CoarseSystem& other);
-  /// Offsets of the irradiance: [group * bands + band]. Zero where nothing is coupled.
+  /// Relative change of the light, z - 1: [group * bands + band]. Zero where nothing is coupled.
   std::vector<double> solve() const;
-  /// Sum over groups of area times |offset|, worst band: what is still missing, in power.
-  double power(std::span<const double> offsets) const;
+  /// Sum over groups of |change| in power, worst band: what is still missing.
+  double power(std::span<const double> changes) const;
 
   /// As numbers, for a message.
   std::vector<double> to_numbers() const;
@@ -55,10 +56,13 @@ class CoarseSystem {
  private:
   struct Coupling {
     std::uint32_t column;
-    std::vector<double> all, stale;  // per band
+    std::vector<double> fresh, stale;  // per band: power that flows from the column's group
   };
+  Coupling& coupling(std::size_t row, std::uint32_t column);
+  std::vector<double> solve_band(std::size_t band) const;
+
   std::size_t groups_, bands_;
-  std::vector<double> area_, change_;
+  std::vector<double> before_, after_;       // power, [group * bands + band]
   std::vector<std::vector<Coupling>> rows_;  // by ascending column
 };
 

@@ -2,27 +2,25 @@
 // 3).
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "base/work_count.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "radiosity/coarse_correction.hpp"
+#include "radiosity/link_refinement.hpp"
 #include "radiosity/occluders.hpp"
 
 namespace enfilade {
 
 struct GatherConfig {
-  /// A link whose estimated error is above this is refined. Power: area times irradiance, the
-  /// scene's unit times m2, in the worst band.
-  double link_tolerance = 0.0;
+  RefinementConfig refinement;
   int iteration = 1;   ///< the receiver is marked with it; shooters marked so are its newer values
   bool refine = true;  ///< false: gather over the links as they are
   /// Close the rows: where every ray from a patch ends on a lit front side its form factors must
   /// sum to 1; what is missing goes to its links by how doubtful each is. Wanted once light has
   /// reached everything.
   bool close_rows = false;
-  int max_depth = 20;        ///< binary splits below a polygon
-  double min_area_m2 = 0.0;  ///< no patch is split below this
 };
 
 /// What one gather did; figures are summed or maximised over clusters by `parallel`.
@@ -36,11 +34,15 @@ struct GatherResult {
   Spectrum absorbed_power;        ///< per band: sum of area (1 - reflectance) irradiance
 };
 
-/// Gathers for `receiver` from itself, from `shooters` (the clusters visible to it, any order) and
-/// from the lights. Reads the shooters only; changes the receiver's patches and links.
-GatherResult gather(ClusterState& receiver, std::span<const ClusterState* const> shooters,
-                    std::span<const PointLight> lights, const Occluders& occluders,
-                    const GatherConfig& config);
+/// Brings in a visible cluster; what it returns need stay valid only until the next call.
+using ShooterSource = std::function<const ClusterState&(ClusterId)>;
+
+/// Gathers for `receiver` from the lights, then from each visible cluster, itself among them, in
+/// ascending order: no more than two clusters need be in memory at once. Changes the receiver's
+/// patches and links only.
+GatherResult gather(ClusterState& receiver, std::span<const ClusterId> visible,
+                    const ShooterSource& shooter, std::span<const PointLight> lights,
+                    const Occluders& occluders, const GatherConfig& config);
 
 /// Power that the scene's surfaces and lights emit, per band: what errors and tolerances are
 /// relative to.

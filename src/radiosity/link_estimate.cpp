@@ -178,9 +178,29 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
   return v;
 }
 
+/// Visibility between the parts of two sides that face each other: a ray to the part that lies
+/// behind the other's plane would say nothing, or come through the receiver's own back.
+LinkEstimator::Visibility LinkEstimator::facing_visibility(const LinkSide& receiver,
+                                                           const LinkSide& shooter, double power,
+                                                           double tolerance) {
+  if (!shooter.is_patch()) return visibility(receiver, shooter, power, tolerance);
+  const Plane receives = receiver.plane(), shoots = shooter.plane();
+  const double slack_m = 1e-9 * (receiver.radius + shooter.radius);
+  const auto straddles = [&](const Polygon& corners, const Plane& plane) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Vec3& p) { return plane.signed_distance(p) < -slack_m; });
+  };
+  const bool cut_receiver = straddles(receiver.corners, shoots);
+  const bool cut_shooter = straddles(shooter.corners, receives);
+  if (!cut_receiver && !cut_shooter) return visibility(receiver, shooter, power, tolerance);
+  const LinkSide to = cut_receiver ? receiver.before(shoots) : receiver;
+  const LinkSide from = cut_shooter ? shooter.before(receives) : shooter;
+  return visibility(to, from, power, tolerance);
+}
+
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
                                      double tolerance) {
-  return receiver.is_group() ? evaluate_group(receiver, shooter, tolerance)
+  return receiver.is_group() ? evaluate_group(receiver, shooter)
                              : evaluate_patch(receiver, shooter, tolerance);
 }
 
@@ -213,7 +233,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     return out;
   }
   const double power = receiver.area_m2 * top * shooter.light;
-  const Visibility v = visibility(receiver, shooter, power, tolerance);
+  const Visibility v = facing_visibility(receiver, shooter, power, tolerance);
 
   // A small shooter's light peaks between the receiver's points; seen from the shooter the total is
   // plain, by reciprocity: A_r F_rs = A_s F_sr.
@@ -322,8 +342,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
 
 /// A far group receives as one: the irradiance that a plane facing the shooter would get, and from
 /// where.
-LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkSide& shooter,
-                                           double /*tolerance*/) {
+LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkSide& shooter) {
   LinkEstimate out;
   const Vec3 toward = glm::normalize(shooter.center - receiver.center);
   weights_.assign(shooter.is_group() ? shooter.group().end - shooter.group().begin : 0, 0.0);
@@ -331,7 +350,6 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
       factor_at(receiver.center, toward, shooter, shooter.is_group() ? weights_.data() : nullptr);
   const GroupNode& group = receiver.group();
   double facing_m2 = 0.0;
-  weights_.resize(weights_.size());
   std::vector<double> facing;
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
     const std::uint32_t k = receiver.forest->order()[i];
@@ -341,7 +359,6 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
   }
   if (factor <= 0.0 || facing_m2 <= 0.0) {
     // Seen from its middle nothing arrives; that says little about its rim.
-    out.shooter_error = 0.0;
     out.receiver_error = 0.05 * power_bound(receiver, shooter) / std::max(shooter.light, 1e-300);
     return out;
   }

@@ -30,7 +30,10 @@ struct LinkSide {
   bool is_group() const { return forest != nullptr && id.is_group(); }
   bool is_patch() const { return forest != nullptr && !id.is_group(); }
   const PolygonFrame& frame() const { return forest->frames()[id.root]; }
+  Plane plane() const { return {frame().n, glm::dot(frame().n, frame().origin)}; }
   const GroupNode& group() const { return forest->groups()[id.group()]; }
+  /// A patch's part before the plane; the patch itself where all of it is.
+  LinkSide before(const Plane& plane) const;
   bool same_node(const LinkSide& o) const { return cluster == o.cluster && id == o.id; }
 
   static LinkSide of(const PatchForest& forest, ClusterId cluster, PatchId id);
@@ -69,10 +72,12 @@ class LinkEstimator {
     double within = 0.0;                           ///< uncertainty of the mean, as a share
   };
   LinkEstimate evaluate_patch(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
-  LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
+  LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter);
   double factor_at(const Vec3& x, const Vec3& n, const LinkSide& shooter, double* per_polygon);
   Visibility visibility(const LinkSide& receiver, const LinkSide& shooter, double power,
                         double tolerance);
+  Visibility facing_visibility(const LinkSide& receiver, const LinkSide& shooter, double power,
+                               double tolerance);
   bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter,
                 class Random& random, std::uint32_t* blocker);
 

@@ -63,6 +63,15 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
   return side;
 }
 
+LinkSide LinkSide::before(const Plane& plane) const {
+  LinkSide side = *this;
+  side.corners = split(corners, plane, 1e-9 * radius).first;
+  std::vector<Vec2> vertices;
+  for (const Vec3& p : side.corners) vertices.push_back(frame().project(p));
+  if (vertices.size() >= 3) side.shape = PatchShape::from(std::move(vertices));
+  return side;
+}
+
 LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
   LinkSide side;
   side.id.root = number;

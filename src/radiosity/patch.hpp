@@ -108,6 +108,7 @@ class PatchForest {
 
   std::span<double> radiosity(std::size_t node) { return row(radiosity_, node); }
   std::span<const double> radiosity(std::size_t node) const { return row(radiosity_, node); }
+  std::span<const double> radiosities() const { return radiosity_; }
   std::span<double> irradiance(std::size_t node) { return row(irradiance_, node); }
   std::span<const double> irradiance(std::size_t node) const { return row(irradiance_, node); }
   /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays;
@@ -133,8 +134,9 @@ class PatchForest {
   /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
   /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
-  /// Adds `irradiance` (per band) to every node, and its reflection to the radiosity.
-  void offset(std::span<const double> irradiance);
+  /// Adds these shares (per band) of each polygon's mean irradiance evenly all over the polygon,
+  /// and what is reflected of that to the radiosity.
+  void add_share(std::span<const double> shares);
   /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
   /// plane.
   void evaluate(bool radiosity, std::size_t polygon, const Vec3& p, std::span<double> out) const;

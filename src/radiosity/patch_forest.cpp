@@ -231,13 +231,19 @@ void PatchForest::pull_groups() {
   }
 }
 
-void PatchForest::offset(std::span<const double> irradiance) {
+void PatchForest::add_share(std::span<const double> shares) {
+  const auto bands = static_cast<std::size_t>(bands_), terms = static_cast<std::size_t>(terms_);
+  std::vector<double> add(polygons() * bands);
+  for (std::size_t k = 0; k < polygons(); ++k) {
+    for (std::size_t b = 0; b < bands; ++b) {
+      add[k * bands + b] = shares[b] * irradiance(k)[b * terms];
+    }
+  }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::vector<double>& reflectance = frames_[nodes_[i].id.root].reflectance;
-    for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band) {
-      const std::size_t at = i * stride() + band * static_cast<std::size_t>(terms_);
-      irradiance_[at] += irradiance[band];
-      radiosity_[at] += reflectance[band] * irradiance[band];
+    const std::uint32_t k = nodes_[i].id.root;
+    for (std::size_t b = 0; b < bands; ++b) {
+      irradiance(i)[b * terms] += add[k * bands + b];
+      radiosity(i)[b * terms] += frames_[k].reflectance[b] * add[k * bands + b];
     }
   }
   pull_groups();

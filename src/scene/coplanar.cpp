@@ -1,24 +1,13 @@
 #include "scene/coplanar.hpp"
 
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
+#include <algorithm>
 #include <cmath>
 
+#include "scene/box_tree.hpp"
 #include "scene/convex_parts.hpp"
 
 namespace enfilade {
 namespace {
-
-namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<TreePoint>;
-using TreeEntry = std::pair<TreeBox, std::uint32_t>;
-
-TreeBox tree_box(const Box& b, double grow) {
-  return {{b.lo.x - grow, b.lo.y - grow, b.lo.z - grow},
-          {b.hi.x + grow, b.hi.y + grow, b.hi.z + grow}};
-}
 
 bool emits(const Surface& surface) {
   return std::any_of(surface.exitance.begin(), surface.exitance.end(),
@@ -34,24 +23,18 @@ class Overlaps {
         cut_(scale.cut()),
         in_front_(pieces.size()),
         duplicate_(pieces.size(), false) {
-    std::vector<TreeEntry> entries;
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      planes_.push_back(plane_of(pieces[i].polygon));
-      boxes_.push_back(bounds(pieces[i].polygon));
-      entries.emplace_back(tree_box(boxes_.back(), 0.0), i);
+    for (const Piece& piece : pieces) {
+      planes_.push_back(plane_of(piece.polygon));
+      boxes_.push_back(bounds(piece.polygon));
     }
-    tree_ = decltype(tree_)(entries.begin(), entries.end());
   }
 
   void find() {
+    const BoxTree tree(boxes_);
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      std::vector<std::uint32_t> later;
-      const auto near = bg::index::intersects(tree_box(boxes_[i], tolerance_));
-      for (auto it = tree_.qbegin(near); it != tree_.qend(); ++it) {
-        if (it->second > i && may_overlap(i, it->second)) later.push_back(it->second);
+      for (const std::uint32_t j : tree.touching(boxes_[i], tolerance_)) {
+        if (j > i && may_overlap(i, j)) note_overlap(i, j);
       }
-      std::sort(later.begin(), later.end());
-      for (const std::uint32_t j : later) note_overlap(i, j);
     }
   }
 
@@ -107,7 +90,6 @@ class Overlaps {
   double tolerance_, cut_;
   std::vector<Plane> planes_;
   std::vector<Box> boxes_;
-  bg::index::rtree<TreeEntry, bg::index::rstar<16>> tree_;
   std::vector<std::vector<std::uint32_t>> in_front_;
   std::vector<bool> duplicate_;
 };

@@ -52,6 +52,7 @@ std::vector<Polygon> parts_of(const Scene& scene, SurfaceId id, const SceneScale
 
 void warn_covered(const Scene& scene, const std::vector<Piece>& before, const Covered& covered,
                   const SceneScale& scale, Warnings& warnings, PieceReport& report) {
+  std::size_t covered_surfaces = 0;
   for (std::size_t i = 0; i < before.size();) {
     // All pieces of one surface give one warning.
     const SurfaceId id = before[i].surface;
@@ -63,6 +64,7 @@ void warn_covered(const Scene& scene, const std::vector<Piece>& before, const Co
       duplicate = duplicate && covered.duplicate[i];
     }
     if (area <= scale.cut() * std::sqrt(all)) continue;
+    ++covered_surfaces;
     report.covered_area_m2 += area;
     report.dropped += duplicate ? 1 : 0;
     warnings.add(
@@ -70,7 +72,7 @@ void warn_covered(const Scene& scene, const std::vector<Piece>& before, const Co
         duplicate ? "same outline and material as an earlier surface: dropped"
                   : "covered by a surface in the same plane in front of it: covered part left out");
   }
-  if (report.covered_area_m2 > 0.0) {
+  if (covered_surfaces > 1) {
     warnings.add(with_area("surfaces in one plane", report.covered_area_m2),
                  "covered area left out in all");
   }

@@ -105,15 +105,6 @@ void ResidentClusters::load_links(ClusterId id, Entry& entry) {
   measure(entry);
 }
 
-ResidentClusters::Entry& ResidentClusters::hold(ClusterId id) {
-  Entry& entry = entries_[id];
-  if (!entry.pinned) {
-    entry.pinned = true;
-    pinned_.push_back(id);
-  }
-  return entry;
-}
-
 void ResidentClusters::set_committed_only(bool committed_only) {
   committed_only_ = committed_only;
   for (auto& [id, entry] : entries_) {
@@ -137,15 +128,17 @@ const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
   return *entry.previous;
 }
 
-ResidentClusters::Entry& ResidentClusters::pin(ClusterId id) {
-  Entry& entry = hold(id);
+ResidentClusters::Entry& ResidentClusters::newest(ClusterId id) {
+  Entry& entry = entries_[id];
   load(id, entry);
   correct(entry);
   return entry;
 }
 
-ClusterState& ResidentClusters::pin_receiver(ClusterId id) {
-  Entry& entry = pin(id);
+ClusterState& ResidentClusters::pin_receiver(ClusterId id, std::span<const ClusterId> visible) {
+  receiver_ = id;
+  visible_ = visible;
+  Entry& entry = newest(id);
   if (!entry.has_links) load_links(id, entry);
   if (committed_only_ && !store_.written(id)) {
     entry.previous = std::make_unique<ClusterState>(entry.state->shooter());
@@ -156,14 +149,11 @@ ClusterState& ResidentClusters::pin_receiver(ClusterId id) {
 }
 
 const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
-  if (committed_only_ && store_.written(id)) {
-    const ClusterState& state = committed(id, hold(id));
-    evict(true);
-    return state;
-  }
-  Entry& entry = pin(id);
+  shooter_ = id;
+  const ClusterState& state =
+      committed_only_ && store_.written(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict(true);
-  return *entry.state;
+  return state;
 }
 
 void ResidentClusters::write_receiver(ClusterId id) {
@@ -184,9 +174,15 @@ void ResidentClusters::write_receiver(ClusterId id) {
 }
 
 void ResidentClusters::unpin() {
-  for (const ClusterId id : pinned_) entries_.at(id).pinned = false;
-  pinned_.clear();
+  receiver_ = shooter_ = ClusterId();
+  visible_ = {};
   evict(false);
+}
+
+std::uint64_t ResidentClusters::turns_until(ClusterId id, bool links) const {
+  const bool to_come = !links && (!shooter_.valid() || shooter_ < id) &&
+                       std::binary_search(visible_.begin(), visible_.end(), id);
+  return to_come ? 0 : 1 + next_use_(id, links);
 }
 
 void ResidentClusters::drop_links(Entry& entry) {
@@ -201,9 +197,8 @@ void ResidentClusters::evict(bool pressed) {
   using Part = std::tuple<std::uint64_t, bool, ClusterId>;  // next use, links, whose
   std::vector<Part> parts;
   for (const auto& [id, entry] : entries_) {
-    if (entry.pinned) continue;
-    if (entry.has_links) parts.emplace_back(next_use_(id, true), true, id);
-    parts.emplace_back(next_use_(id, false), false, id);
+    if (entry.has_links && id != receiver_) parts.emplace_back(turns_until(id, true), true, id);
+    if (!pinned(id)) parts.emplace_back(turns_until(id, false), false, id);
   }
   std::sort(parts.begin(), parts.end(), std::greater<>());
   for (const auto& [when, links, id] : parts) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "machine/machine.hpp"
@@ -17,7 +18,7 @@ struct ResidencyCount {
   std::uint64_t peak_bytes = 0;  ///< of clusters in memory at once
   std::uint64_t hits = 0, loads = 0, evictions = 0;
   /// Most by which the budget was passed: by the last cluster that came in before others could go,
-  /// or by a gather that needs more at once than there is.
+  /// or by a gather whose receiver and one shooter are more than there is.
   std::uint64_t over_budget_bytes = 0;
 };
 
@@ -43,13 +44,15 @@ class ResidentClusters {
   /// included: what is gathered then does not depend on who gathers it, or when.
   void set_committed_only(bool committed_only);
 
-  /// Both keep the cluster in memory until unpin(). References stay valid until then.
-  ClusterState& pin_receiver(ClusterId id);
+  /// Keeps the receiver of a gather in memory until unpin(). `visible` (ascending, valid until
+  /// then): the shooters that will be asked for, in this order; those still to come stay longest.
+  ClusterState& pin_receiver(ClusterId id, std::span<const ClusterId> visible = {});
+  /// Keeps a shooter in memory until the next one is asked for, or unpin().
   const ClusterState& pin_shooter(ClusterId id);
   /// After its gather: writes the receiver to the local directory (its links only where they
   /// changed).
   void write_receiver(ClusterId id);
-  /// Ends all pins and evicts down to the budget.
+  /// Ends the gather and evicts down to the budget.
   void unpin();
 
   /// In the order of their ids.
@@ -61,18 +64,20 @@ class ResidentClusters {
   struct Entry {
     std::unique_ptr<ClusterState> state;
     std::unique_ptr<ClusterState> previous;  ///< as committed, once it has been gathered for
-    bool has_links = false, pinned = false, corrected = false;
+    bool has_links = false, corrected = false;
     int iteration = 0;                 ///< that these patches are of
     std::uint64_t links_checksum = 0;  ///< of the links in the file
     std::uint64_t shooter_bytes = 0, links_bytes = 0;
   };
-  Entry& pin(ClusterId id);
+  Entry& newest(ClusterId id);
   void load(ClusterId id, Entry& entry);
   const ClusterState& committed(ClusterId id, Entry& entry);
-  Entry& hold(ClusterId id);
   void correct(Entry& entry);
   void load_links(ClusterId id, Entry& entry);
   void measure(Entry& entry);
+  /// Turns until a part is used again; 0 = in the gather at hand.
+  std::uint64_t turns_until(ClusterId id, bool links) const;
+  bool pinned(ClusterId id) const { return id == receiver_ || id == shooter_; }
   void evict(bool pressed);
   void drop_links(Entry& entry);
 
@@ -83,7 +88,8 @@ class ResidentClusters {
   bool committed_only_ = false;
   std::function<void(ClusterState&)> correction_;
   std::map<ClusterId, Entry> entries_;
-  std::vector<ClusterId> pinned_;
+  ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid
+  std::span<const ClusterId> visible_;
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
   ResidencyCount count_;
 };

@@ -1,17 +1,11 @@
 #include "visibility/cluster_graph.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "base/error.hpp"
-#include "cells/byte_stream.hpp"
 
 namespace enfilade {
-namespace {
-
-constexpr std::string_view mark = "enfilade-graph-1";
-
-}  // namespace
-
 ClusterGraph::ClusterGraph(std::size_t clusters,
                            std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs) {
   for (auto& [a, b] : pairs) {
@@ -37,36 +31,6 @@ ClusterGraph::ClusterGraph(std::size_t clusters,
 bool ClusterGraph::has_edge(std::size_t i, std::size_t j) const {
   const auto row = neighbours(i);
   return std::binary_search(row.begin(), row.end(), static_cast<std::uint32_t>(j));
-}
-
-std::string to_bytes(const ClusterGraph& graph) {
-  ByteWriter out;
-  for (const char c : mark) out.put(c);
-  out.put(static_cast<std::uint64_t>(graph.size()));
-  out.put(static_cast<std::uint64_t>(graph.edges()));
-  for (std::uint32_t i = 0; i < graph.size(); ++i) {
-    for (const std::uint32_t j : graph.neighbours(i)) {
-      if (i > j) continue;
-      out.put(i);
-      out.put(j);
-    }
-  }
-  return out.take();
-}
-
-ClusterGraph graph_from_bytes(std::string_view bytes) {
-  ByteReader in(bytes, "visibility graph");
-  in.expect(mark);
-  const auto clusters = in.get<std::uint64_t>();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(
-      in.count<std::uint64_t>(in.get<std::uint64_t>()));
-  for (auto& [a, b] : pairs) {
-    a = in.get<std::uint32_t>();
-    b = in.get<std::uint32_t>();
-    if (a >= clusters || b >= clusters) throw RunError("visibility graph: an edge to no cluster");
-  }
-  in.expect_end();
-  return {static_cast<std::size_t>(clusters), std::move(pairs)};
 }
 
 }  // namespace enfilade

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,10 +47,5 @@ std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
 /// of its own, so this is G_cell tightened by what can be seen through the sequences.
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
-
-/// The graph as it is kept in a run's directory (versioned, in this machine's byte order).
-std::string to_bytes(const ClusterGraph& graph);
-/// Throws RunError where the bytes are not a graph of this version.
-ClusterGraph graph_from_bytes(std::string_view bytes);
 
 }  // namespace enfilade

@@ -2,7 +2,9 @@
 """The command line as a user meets it: help, exit statuses, one line for what is wrong, nothing half-written.
 
 cli_test.py ENFILADE [unittest arguments]; ENFILADE_SMPIRUN and ENFILADE_SMPI name the simulated side."""
+import csv
 import json
+import math
 import os
 import re
 import shutil
@@ -15,6 +17,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 ROOM = HERE / "room.json"
+SCENES = ROOT / "tests/data/scene"
 ENFILADE = os.environ.get("ENFILADE", "")
 MPIRUN = ["mpirun", "--oversubscribe", "-n"]
 SUBCOMMANDS = ["import", "prepare", "solve", "probe", "render", "export", "locate", "report", "info"]
@@ -184,6 +187,102 @@ class BadScenes(InScratch):
         result = enfilade("solve", path, "-o", self.scratch / "run", ranks=3, timeout=60)
         self.assert_refused(result, "ceiling")
         self.assertEqual(self.leftovers(path), [])
+
+
+class HardScenes(InScratch):
+    """The scenes of tests/data/scene, each with a fault of its own: refused by name, or solved with a warning by name."""
+
+    # file: surface and key, what is wrong, what to do about it
+    REFUSED = {
+        "refused/nan_vertex.json": ('surfaces[0] "floor".vertices[0][0]', 'is "NaN", not a finite number', "write a number"),
+        "refused/inf_exitance.json": ('surfaces[9] "light".exitance[0]', 'is "Infinity"', "write a number"),
+        "refused/negative_exitance.json": ('surfaces[9] "light".exitance[0]', "is -1, below zero", "write 0 or more"),
+        "refused/rho_1.json": ('surfaces[0] "floor".reflectance[0]', "is 1.0, outside [0, 1)", "write 0 to 0.9999"),
+        "refused/rho_1p2.json": ('surfaces[0] "floor".reflectance[0]', "is 1.2, outside [0, 1)", "write 0 to 0.9999"),
+        "refused/rho_negative.json": ('surfaces[0] "floor".reflectance[0]', "is -0.1, below zero", "write 0 or more"),
+        "nonconvex.json": ('surfaces[11] "bowtie".vertices', "the polygon crosses itself", "split it"),
+    }
+    WARNED = {
+        "slivers.json": (['surfaces[10] "sliver"', 'surfaces[11] "zero_area"', 'surfaces[12] "point"'], "dropped"),
+        "nonplanar_quad.json": (['surfaces[10] "warped"'], "not planar: split into planar parts"),
+        "duplicate_polygon.json": (['surfaces[10] "floor_dup"'], "same outline and material as an earlier surface: dropped"),
+        "coplanar_overlap.json": (['surfaces[1] "x0"'], "covered part left out"),
+        "reversed_normal.json": (['surfaces[2] "x1"'], "reverse the order of its vertices"),
+    }
+
+    @staticmethod
+    def is_finite(value):
+        if isinstance(value, list):
+            return all(map(HardScenes.is_finite, value))
+        return not isinstance(value, float) or math.isfinite(value)
+
+    @staticmethod
+    def irradiances(run):
+        """Of every surface that is not dropped, by name; the first band."""
+        rows = list(csv.reader((run / "surfaces.csv").read_text().splitlines()))
+        column = next(i for i, title in enumerate(rows[0]) if title.startswith("mean_irradiance"))
+        return {row[1]: float(row[column]) for row in rows[1:] if row[column]}
+
+    def solve(self, scene, run):
+        return enfilade("solve", scene, "-o", run, "--no-pictures")
+
+    def test_every_scene_with_a_fault_is_driven(self):
+        kept = {str(p.relative_to(SCENES)) for p in SCENES.rglob("*.json")
+                if {"reject", "warn", "warn_or_reject"} & set(json.loads(p.read_text()).get("expect", {}))}
+        self.assertEqual(kept, {*self.REFUSED, *self.WARNED})
+
+    def test_refused_with_one_line_and_nothing_written(self):
+        for name, words in self.REFUSED.items():
+            for command in ("prepare", "solve"):
+                with self.subTest(name, command=command):
+                    result = enfilade(command, SCENES / name, "-o", self.scratch / "run")
+                    self.assert_refused(result, Path(name).name + ": ", *words)
+                    self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                    self.assertEqual(self.leftovers(), [])
+
+    def test_a_refused_scene_leaves_the_run_that_was_there_before(self):
+        run = self.scratch / "run"
+        self.assertEqual(self.solve(ROOM, run).returncode, 0)
+        def contents():
+            return {p: p.read_bytes() for p in run.rglob("*") if p.is_file()}
+        before = contents()
+        for name in ("refused/rho_1.json", "nonconvex.json"):  # faults found while reading, and while cutting
+            self.assert_refused(self.solve(SCENES / name, run))
+            self.assertEqual(contents(), before)
+
+    def test_solved_with_a_warning_that_names_the_surface(self):
+        for name, (surfaces, what) in self.WARNED.items():
+            with self.subTest(name):
+                run = self.scratch / Path(name).stem
+                result = self.solve(SCENES / name, run)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                lines = [line for line in said(result) if what in line]
+                self.assertEqual(len(lines), 1, result.stderr)
+                self.assertTrue(lines[0].startswith("enfilade: warning: "), lines[0])
+                for surface in surfaces:
+                    self.assertIn(surface, lines[0])
+                stats = json.loads((run / "stats.json").read_text())
+                self.assertTrue(self.is_finite(list(stats.values())), stats)
+                self.assertTrue(self.is_finite(list(self.irradiances(run).values())))
+
+    def test_what_is_dropped_changes_nothing(self):
+        for name, extra in [("slivers.json", {"sliver", "zero_area", "point"}), ("duplicate_polygon.json", {"floor_dup"})]:
+            scene = json.loads((SCENES / name).read_text())
+            scene["surfaces"] = [s for s in scene["surfaces"] if s["name"] not in extra]
+            clean = self.scratch / "clean.json"
+            clean.write_text(json.dumps(scene))
+            answers = []
+            for source, run in ((SCENES / name, self.scratch / "with"), (clean, self.scratch / "without")):
+                self.assertEqual(self.solve(source, run).returncode, 0)
+                answers.append(self.irradiances(run))
+            self.assertEqual(set(answers[0]), {s["name"] for s in scene["surfaces"]})
+            for surface, irradiance in answers[0].items():
+                self.assertAlmostEqual(irradiance / answers[1][surface], 1.0, delta=0.001, msg=surface)
+
+    def test_a_reversed_wall_shows_as_light_unaccounted_for(self):
+        result = self.solve(SCENES / "reversed_normal.json", self.scratch / "run")
+        self.assertRegex(result.stdout, r"(?m)^  light unaccounted for +\d+%$")
+        self.assertGreater(json.loads((self.scratch / "run/stats.json").read_text())["flux_balance"], 0.1)
 
 
 class BrokenRuns(InScratch):

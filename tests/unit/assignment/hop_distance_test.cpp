@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "assignment/assignment.hpp"
-#include "graphs.hpp"
+#include "warshall.hpp"
 
 namespace enfilade {
 namespace {

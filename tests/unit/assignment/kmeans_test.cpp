@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "graphs.hpp"
+#include "warshall.hpp"
 
 namespace enfilade {
 namespace {

@@ -141,6 +141,13 @@ TEST(BuildCells, PiecesInOneCellStayWhole) {
   }
 }
 
+TEST(CellComplex, TheInsideOfASolidIsNoOpenCell) {
+  std::vector<Cell> cells(4);
+  cells[1].kind = CellKind::outside;
+  cells[3].kind = CellKind::solid;
+  EXPECT_EQ(CellComplex(cells, {}, {}, 1e-5).open_cells(), 3u);
+}
+
 TEST(ComplexBytes, ComeBackTheSame) {
   const CellComplex complex = build(plan::two_storeys());
   const std::string bytes = to_bytes(complex);

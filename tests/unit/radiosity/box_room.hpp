@@ -77,8 +77,10 @@ struct Solved {
     for (const Cluster& c : clusters) states.emplace_back(c, scene, basis);
     const Spectrum emitted = emitted_power(scene, clusters);
     GatherConfig config;
-    config.link_tolerance = epsilon * *std::max_element(emitted.begin(), emitted.end());
-    config.min_area_m2 = 1e-8 * occluders.extent_m() * occluders.extent_m();
+    std::vector<ClusterId> all;
+    for (const Cluster& c : clusters) all.push_back(c.id);
+    config.refinement.link_tolerance = epsilon * *std::max_element(emitted.begin(), emitted.end());
+    config.refinement.min_area_m2 = 1e-8 * occluders.extent_m() * occluders.extent_m();
     const std::vector<std::uint32_t> groups = coarse_groups(clusters);
     const auto bands = static_cast<std::size_t>(scene.bands);
     for (iterations = 1; iterations <= most; ++iterations) {
@@ -88,11 +90,10 @@ struct Solved {
       double change = 0.0, received = 0.0, absorbed = 0.0;
       links = 0;
       for (ClusterState& receiver : states) {
-        std::vector<const ClusterState*> others;
-        for (const ClusterState& other : states) {
-          if (&other != &receiver) others.push_back(&other);
-        }
-        const GatherResult r = gather(receiver, others, scene.lights, occluders, config);
+        const GatherResult r = gather(
+            receiver, all,
+            [this](ClusterId id) -> const ClusterState& { return states[id.index()]; },
+            scene.lights, occluders, config);
         change += r.change_power;
         received += r.received_power;
         absorbed += r.absorbed_power[0];

@@ -38,5 +38,23 @@ TEST(ClusterState, RefusesATornRecord) {
   EXPECT_THROW(ClusterState(geometry, patches, {}), RunError);
 }
 
+TEST(ClusterState, RefusesARecordThatGoesOnOrIsOfAnotherBasis) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  const Cluster cluster = testing::clusters_of(scene)[0];
+  const ClusterState linear(cluster, scene, Basis::linear), flat(cluster, scene, Basis::constant);
+  const auto links = linear.bytes_of(Section::links);
+  std::vector<std::byte> sections[] = {linear.bytes_of(Section::geometry),
+                                       linear.bytes_of(Section::patches), links};
+  EXPECT_NO_THROW(ClusterState(sections[0], sections[1], sections[2]));
+  for (std::vector<std::byte>& section : sections) {
+    section.push_back(std::byte{0});
+    EXPECT_THROW(ClusterState(sections[0], sections[1], sections[2]), RunError);
+    section.pop_back();
+  }
+  EXPECT_THROW(
+      ClusterState(flat.bytes_of(Section::geometry), flat.bytes_of(Section::patches), links),
+      RunError);
+}
+
 }  // namespace
 }  // namespace enfilade

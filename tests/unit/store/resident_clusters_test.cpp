@@ -99,14 +99,31 @@ TEST_F(ResidentClustersTest, WhatIsEvictedComesBackAsItWas) {
       << "a gather that needs more than there is says so";
 }
 
-TEST_F(ResidentClustersTest, PinnedOnesStayWhateverTheBudget) {
+TEST_F(ResidentClustersTest, TheReceiverAndTheShooterAtHandStayWhateverTheBudget) {
   ResidentClusters resident(store, machine, 1);
   const ClusterState& first = resident.pin_receiver(id(0));
-  for (std::size_t i = 1; i < 6; ++i) resident.pin_shooter(id(i));
+  for (std::size_t i = 1; i < 6; ++i) {
+    EXPECT_EQ(resident.pin_shooter(id(i)).id(), id(i));
+    EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(0), id(i)}));
+  }
   EXPECT_EQ(first.id(), id(0));
-  EXPECT_EQ(resident.resident().size(), 6u);
   resident.unpin();
   EXPECT_TRUE(resident.resident().empty());
+}
+
+TEST_F(ResidentClustersTest, ShootersStillToComeStayLongerThanThoseUsedSooner) {
+  // Room for four. Clusters 3 and 4 are in memory and still to come in this gather; 1 and 2, which
+  // the next gather needs, go before them.
+  ResidentClusters resident(store, machine, 4 * size() + size() / 2);
+  resident.set_next_use([&](ClusterId c, bool) { return c.index() < 3 ? 0u : 9u; });
+  resident.pin_shooter(id(4));
+  resident.pin_shooter(id(3));
+  resident.unpin();
+  const std::vector<ClusterId> visible = {id(0), id(1), id(2), id(3), id(4)};
+  resident.pin_receiver(id(0), visible);
+  for (std::size_t i = 1; i < 5; ++i) resident.pin_shooter(id(i));
+  EXPECT_EQ(resident.count().hits, 2u);
+  EXPECT_EQ(resident.count().loads, 5u);
 }
 
 }  // namespace

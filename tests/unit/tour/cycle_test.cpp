@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "scenes.hpp"
+#include "tour_costs.hpp"
 
 namespace enfilade {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "scenes.hpp"
+#include "tour_costs.hpp"
 
 namespace enfilade {
 namespace {

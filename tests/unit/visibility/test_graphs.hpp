@@ -1,12 +1,13 @@
-// Visibility graphs with bytes that the tests of this room share.
+// Visibility graphs that the tests of several rooms share: at random, and like buildings.
 #pragma once
 
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/random.hpp"
-#include "tour/tour.hpp"
+#include "visibility/cluster_graph.hpp"
 
 namespace enfilade::test {
 
@@ -22,6 +23,29 @@ inline ClusterGraph random_graph(std::uint32_t nodes, double probability, std::u
     }
   }
   return ClusterGraph(nodes, pairs);
+}
+
+/// A building: rooms in a row on each floor. Clusters of a room all see each other; each sees some
+/// of the next.
+inline ClusterGraph building(std::uint32_t floors, std::uint32_t rooms,
+                             std::uint32_t clusters_a_room, double through_door,
+                             std::uint64_t seed) {
+  Random random(seed);
+  Pairs pairs;
+  const std::uint32_t c = clusters_a_room;
+  for (std::uint32_t room = 0; room < floors * rooms; ++room) {
+    const bool last_of_floor = (room + 1) % rooms == 0;
+    for (std::uint32_t a = room * c; a < (room + 1) * c; ++a) {
+      for (std::uint32_t b = a + 1; b < (room + 1) * c; ++b) pairs.emplace_back(a, b);
+      for (std::uint32_t b = (room + 1) * c; !last_of_floor && b < (room + 2) * c; ++b) {
+        if (random.uniform() < through_door) pairs.emplace_back(a, b);
+      }
+    }
+    // Stairs: the last room of a floor sees the last room of the next one.
+    if (last_of_floor && room + rooms < floors * rooms)
+      pairs.emplace_back(room * c, (room + rooms) * c);
+  }
+  return ClusterGraph(floors * rooms * c, pairs);
 }
 
 /// Rooms in a row whose clusters' ids are shuffled over the building; each cluster sees its room
@@ -42,27 +66,6 @@ inline ClusterGraph shuffled_rooms(std::uint32_t rooms, std::uint32_t clusters_a
     }
   }
   return ClusterGraph(n, pairs);
-}
-
-inline std::vector<std::uint64_t> random_bytes(std::size_t clusters, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<std::uint64_t> bytes(clusters);
-  for (auto& b : bytes) b = 100 + random.below(10000);
-  return bytes;
-}
-
-inline std::vector<ClusterId> all_clusters(const ClusterGraph& graph) {
-  std::vector<ClusterId> clusters;
-  for (std::size_t i = 0; i < graph.size(); ++i) clusters.emplace_back(i);
-  return clusters;
-}
-
-inline std::uint64_t round_cost(const std::vector<ClusterId>& order, const VisibilityCost& cost) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    sum += cost.between(order[i], order[(i + 1) % order.size()]);
-  }
-  return sum;
 }
 
 }  // namespace enfilade::test

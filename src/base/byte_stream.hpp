@@ -1,0 +1,91 @@
+// Plain values to bytes and back, in this machine's byte order: for the files that ranks of one run
+// share, and for messages between them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+
+class ByteWriter {
+ public:
+  template <class T>
+  void put(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    add(std::as_bytes(std::span(&value, 1)));
+  }
+  /// How many there are, as a `Count`, then the values.
+  template <class Count = std::uint64_t, class T>
+  void put_all(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    ENFILADE_CHECK(static_cast<Count>(values.size()) == values.size(),
+                   std::to_string(values.size()));
+    put(static_cast<Count>(values.size()));
+    add(std::as_bytes(std::span(values)));
+  }
+  void put_text(std::string_view text);
+  /// Letters that the reader knows beforehand: ByteReader::expect.
+  void put_mark(std::string_view mark) { add(std::as_bytes(std::span(mark))); }
+
+  std::vector<std::byte> take() { return std::move(bytes_); }
+  std::string text() const;
+
+ private:
+  void add(std::span<const std::byte> raw);
+
+  std::vector<std::byte> bytes_;
+};
+
+/// Throws RunError ("WHAT: cut off") where the bytes end too early, before it asks for memory.
+class ByteReader {
+ public:
+  ByteReader(std::span<const std::byte> bytes, std::string what)
+      : bytes_(bytes), what_(std::move(what)) {}
+  ByteReader(std::string_view text, std::string what)
+      : ByteReader(std::as_bytes(std::span(text)), std::move(what)) {}
+
+  template <class T>
+  T get() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T value;
+    std::memcpy(static_cast<void*>(&value), advance(sizeof(T)), sizeof(T));
+    return value;
+  }
+  template <class T, class Count = std::uint64_t>
+  std::vector<T> get_all() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<T> values(get_count<Count>(sizeof(T)));
+    const std::size_t size = values.size() * sizeof(T);
+    const std::byte* from = advance(size);
+    if (size > 0) std::memcpy(static_cast<void*>(values.data()), from, size);
+    return values;
+  }
+  std::string get_text();
+  /// A count of things that take at least `bytes_each` of what is left.
+  template <class Count = std::uint64_t>
+  std::size_t get_count(std::size_t bytes_each) {
+    const auto count = get<Count>();
+    if (count > bytes_.size() / bytes_each) cut_off();
+    return static_cast<std::size_t>(count);
+  }
+  void expect(std::string_view mark);
+  void expect_end() const;
+
+ private:
+  [[noreturn]] void cut_off() const;
+  /// The next `size` bytes.
+  const std::byte* advance(std::size_t size);
+
+  std::span<const std::byte> bytes_;
+  std::string what_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,132 @@
+#include "radiosity/row_closing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+
+RowClosing::RowClosing(ClusterState& receiver)
+    : receiver_(receiver),
+      bands_(static_cast<std::size_t>(receiver.bands())),
+      terms_(static_cast<std::size_t>(receiver.patches().terms())),
+      width_(terms_ + 1 + bands_) {}
+
+void RowClosing::see(const ClusterState& shooter) {
+  const PatchForest& patches = shooter.patches();
+  std::vector<bool>& lit = lit_[shooter.id()];
+  lit.resize(patches.polygons());
+  for (std::size_t k = 0; k < lit.size(); ++k) lit[k] = patches.radiosity(k)[0] > 0.0;
+}
+
+void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light) {
+  rows_.resize(std::max(rows_.size(), receiver_.patches().size() * width_), 0.0);
+  double* to = row(node);
+  to[0] += factor;
+  to[terms_] += doubt;
+  for (std::size_t b = 0; b < bands_; ++b) to[terms_ + 1 + b] += doubt * light[b];
+}
+
+void RowClosing::add(const Link& link, std::span<const float> transport,
+                     std::span<const double> light) {
+  if (link.is_light()) return;
+  const PatchForest& patches = receiver_.patches();
+  if (link.receiver.is_group()) {
+    const GroupNode& group = patches.groups()[link.receiver.group()];
+    for (std::uint32_t j = group.begin; j < group.end; ++j) {
+      const std::uint32_t k = patches.order()[j];
+      const double cosine =
+          glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
+      if (cosine > 0.0) add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light);
+    }
+    return;
+  }
+  // A link that nothing came through takes no share: what is missing comes from where light is
+  // seen.
+  const std::size_t node = patches.find(link.receiver);
+  add(node, transport[0], transport[0] > 0.0f ? link.error / patches.node(node).shape.area_m2 : 0.0,
+      light);
+  if (terms_ == 3) {
+    row(node)[1] += transport[3];
+    row(node)[2] += transport[6];
+  }
+}
+
+std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluders,
+                                            WorkCount& work) {
+  PatchForest& patches = receiver_.patches();
+  const auto lit = [this](const PolygonRef& polygon) {
+    const auto seen = lit_.find(polygon.cluster);
+    return seen != lit_.end() && seen->second[polygon.polygon];
+  };
+  std::vector<char> open(patches.polygons(), 0);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const PatchNode& node = patches.node(n);
+    if (!node.leaf()) continue;
+    if (patches.exposure(n) < 0.0f) {
+      patches.set_exposure(
+          n, static_cast<float>(exposure(receiver_, node, rings, occluders, lit, work)));
+    }
+    if (patches.exposure(n) < 1.0f) open[node.id.root] = 1;
+  }
+  return open;
+}
+
+void RowClosing::push() {
+  const PatchForest& patches = receiver_.patches();
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const PatchNode& node = patches.node(n);
+    if (node.leaf()) continue;
+    for (int side = 0; side < 2; ++side) {
+      const auto c = static_cast<std::size_t>(node.first_child + side);
+      const double* parent = row(n);
+      double* child = row(c);
+      for (std::size_t t = 0; t < width_; ++t) child[t] += parent[t];
+      if (terms_ == 3) {
+        const Vec2 shift = patches.node(c).shape.centroid - node.shape.centroid;
+        child[0] += parent[1] * shift.x + parent[2] * shift.y;
+      }
+    }
+  }
+}
+
+double RowClosing::close(const Occluders& occluders, WorkCount& work,
+                         std::vector<double>& gathered) {
+  const PatchForest& patches = receiver_.patches();
+  rows_.resize(patches.size() * width_, 0.0);
+  push();
+  // At least 512 rays for the cluster: a narrow opening must not pass for none.
+  const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
+  const int rings = std::max(4, static_cast<int>(std::sqrt(128.0 / static_cast<double>(leaves))));
+  const std::vector<char> open = find_openings(rings, occluders, work);
+  const std::size_t stride = bands_ * terms_;
+  const double rays = 4.0 * rings * rings;
+  double sum = 0.0, closed = 0.0;
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const PatchNode& node = patches.node(n);
+    if (!node.leaf()) continue;
+    const double* has = row(n);
+    sum += node.shape.area_m2 * has[0];
+    closed += node.shape.area_m2 * has[0];
+    const double target = patches.exposure(n);
+    if (has[terms_] <= 0.0 || target <= 0.0) continue;
+    // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one
+    // against the other. A row without an opening sums to 1.
+    const double doubt = 0.5 * has[terms_];
+    const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
+    const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
+    const double missing = gain * (target - has[0]);
+    closed += node.shape.area_m2 * missing;
+    for (std::size_t b = 0; b < bands_; ++b) {
+      double* to = gathered.data() + n * stride + b * terms_;
+      const double light = has[terms_ + 1 + b] / has[terms_];
+      to[0] += missing * light;
+      if (terms_ == 3) {
+        to[1] -= gain * has[1] * light;
+        to[2] -= gain * has[2] * light;
+      }
+    }
+  }
+  return sum > 0.0 ? closed / sum : 1.0;
+}
+
+}  // namespace enfilade

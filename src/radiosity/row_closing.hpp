@@ -1,0 +1,42 @@
+// Closing the rows of form factors: energy neither made nor lost by the links' errors.
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "radiosity/exposure.hpp"
+
+namespace enfilade {
+
+/// Sums the rows of one receiving cluster while its light is gathered, then gives each leaf what
+/// its row lacks (or has too much) of the share that it must sum to: 1 where every ray from the
+/// patch ends on a lit front side, else what exposure rays say, weighed against the links' doubt.
+class RowClosing {
+ public:
+  explicit RowClosing(ClusterState& receiver);
+
+  /// Notes which of a shooter's polygons give light.
+  void see(const ClusterState& shooter);
+  /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band.
+  void add(const Link& link, std::span<const float> transport, std::span<const double> light);
+  /// Adds the missing light to `gathered` (indexed like the light of the patches). Returns the
+  /// closed rows' sum over that of the rows as they were.
+  double close(const Occluders& occluders, WorkCount& work, std::vector<double>& gathered);
+
+ private:
+  void add(std::size_t node, double factor, double doubt, std::span<const double> light);
+  double* row(std::size_t node) { return rows_.data() + node * width_; }
+  /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
+  std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
+  void push();
+
+  ClusterState& receiver_;
+  std::size_t bands_, terms_, width_;
+  /// Per node: the row's sum as an affine function, the links' doubt, and their light weighted by
+  /// it.
+  std::vector<double> rows_;
+  std::map<ClusterId, std::vector<bool>> lit_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,26 @@
+// Which of many boxes touch a given one: an R-tree.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/geometry.hpp"
+
+namespace enfilade {
+
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Box> boxes);
+  ~BoxTree();
+
+  /// Indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on all sides.
+  std::vector<std::uint32_t> touching(const Box& box, double margin_m) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,35 @@
+#include "parallel/prepare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene/scene_io.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
+  const std::string run = testing::TempDir() + "/enfilade-prepare-test";
+  std::filesystem::remove_all(run);
+  Warnings warnings;
+  const Scene scene =
+      read_scene(std::string(ENFILADE_TEST_DATA) + "/scene/thin_gap.json", warnings);
+  PrepareConfig config;
+  EXPECT_FALSE(is_prepared(run, scene.hash, config));
+  prepare(scene, run, config, warnings);
+  EXPECT_TRUE(is_prepared(run, scene.hash, config));
+  EXPECT_FALSE(is_prepared(run, scene.hash + 1, config));
+  const auto other = [&](auto change) {
+    PrepareConfig changed = config;
+    change(changed);
+    return is_prepared(run, scene.hash, changed);
+  };
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.cells.tolerance_relative *= 1.0 + 1e-15; }));
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.sealed.seed = 2; }));
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.clusters.max_polygons = 8; }));
+  std::filesystem::remove_all(run);
+}
+
+}  // namespace
+}  // namespace enfilade
