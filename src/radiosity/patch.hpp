@@ -137,6 +137,8 @@ class PatchForest {
   /// Adds these shares (per band) of each polygon's mean irradiance evenly all over the polygon,
   /// and what is reflected of that to the radiosity.
   void add_share(std::span<const double> shares);
+  /// The leaf of a polygon that point p of its plane lies in.
+  std::size_t leaf_at(std::size_t polygon, const Vec3& p) const;
   /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
   /// plane.
   void evaluate(bool radiosity, std::size_t polygon, const Vec3& p, std::span<double> out) const;

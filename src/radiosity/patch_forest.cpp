@@ -249,8 +249,7 @@ void PatchForest::add_share(std::span<const double> shares) {
   pull_groups();
 }
 
-void PatchForest::evaluate(bool of_radiosity, std::size_t polygon, const Vec3& p,
-                           std::span<double> out) const {
+std::size_t PatchForest::leaf_at(std::size_t polygon, const Vec3& p) const {
   const Vec2 q = frames_[polygon].project(p);
   std::size_t node = polygon;
   while (!nodes_[node].leaf()) {
@@ -258,6 +257,13 @@ void PatchForest::evaluate(bool of_radiosity, std::size_t polygon, const Vec3& p
     node = static_cast<std::size_t>(at.first_child) +
            (glm::dot(at.split_axis, q) >= at.split_at ? 1 : 0);
   }
+  return node;
+}
+
+void PatchForest::evaluate(bool of_radiosity, std::size_t polygon, const Vec3& p,
+                           std::span<double> out) const {
+  const std::size_t node = leaf_at(polygon, p);
+  const Vec2 q = frames_[polygon].project(p);
   const std::vector<double>& light = of_radiosity ? radiosity_ : irradiance_;
   const Vec2 shift = q - nodes_[node].shape.centroid;
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band) {

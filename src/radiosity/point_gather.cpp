@@ -5,143 +5,86 @@
 #include <numbers>
 
 #include "base/random.hpp"
-#include "radiosity/form_factor.hpp"
+#include "radiosity/bright_polygons.hpp"
 
 namespace enfilade {
 namespace {
 
-/// Two axes that stand on n.
-std::pair<Vec3, Vec3> axes_of(const Vec3& n) {
+/// Direction above a plane with normal n; uniform r2 and turn (of a circle) in [0, 1) give
+/// directions in proportion to their cosine with n.
+Vec3 cosine_direction(const Vec3& n, double r2, double turn) {
   const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  const Vec3 u = glm::normalize(glm::cross(helper, n));
-  return {u, glm::cross(n, u)};
+  const Vec3 u = glm::normalize(glm::cross(helper, n)), v = glm::cross(n, u);
+  const double phi = 2.0 * std::numbers::pi * turn, r = std::sqrt(r2);
+  return r * std::cos(phi) * u + r * std::sin(phi) * v + std::sqrt(std::max(0.0, 1.0 - r2)) * n;
 }
 
 }  // namespace
-
-/// A polygon so bright that a hemisphere of rays would find it too seldom: gathered on its own.
-struct BrightPolygon {
-  std::uint32_t polygon;  // global number
-  const PatchForest* forest;
-  std::uint32_t k;
-};
 
 struct PointGather::Impl {
   std::span<const ClusterState> clusters;
   std::span<const PointLight> lights;
   const Occluders* occluders;
   PointGatherConfig config;
-  std::vector<BrightPolygon> bright;
-  std::vector<bool> is_bright;
-  int bands = 1;
+  BrightPolygons bright;
+  std::size_t bands;
 
-  void choose_bright();
-  void add_bright(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
+  void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
-  void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                       Spectrum& e) const;
-  double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const BrightPolygon& b,
-                        const PatchShape& shape, double threshold, int depth, Random& random) const;
+  void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
+                std::span<const double> weights, Random& random, Spectrum& e) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
 };
 
-/// Bright: its mean radiosity is over 8 times the mean of all surfaces (so none in a furnace).
-void PointGather::Impl::choose_bright() {
-  double area = 0.0, power = 0.0;
-  auto top = [&](const PatchForest& f, std::size_t k) {
-    double b = 0.0;
-    const auto terms = static_cast<std::size_t>(f.terms());
-    for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms)
-      b = std::max(b, f.radiosity(k)[i]);
-    return b;
-  };
-  std::size_t polygons = 0;
-  for (const ClusterState& c : clusters) {
-    const PatchForest& f = c.patches();
-    polygons += f.polygons();
-    for (std::size_t k = 0; k < f.polygons(); ++k) {
-      area += f.node(k).shape.area_m2;
-      power += f.node(k).shape.area_m2 * top(f, k);
-    }
-  }
-  is_bright.assign(polygons, false);
-  const double limit = area > 0.0 ? 8.0 * power / area : 0.0;
-  for (const ClusterState& c : clusters) {
-    const PatchForest& f = c.patches();
-    for (std::uint32_t k = 0; k < f.polygons(); ++k) {
-      if (top(f, k) <= limit || limit <= 0.0) continue;
-      const std::uint32_t number = occluders->global(c.id(), k);
-      is_bright[number] = true;
-      bright.push_back({number, &f, k});
-    }
-  }
-}
-
-/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
-/// until they matter less than the threshold.
-double PointGather::Impl::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                         const BrightPolygon& b, const PatchShape& shape,
-                                         double threshold, int depth, Random& random) const {
-  const PolygonFrame& frame = b.forest->frames()[b.k];
-  Polygon corners;
-  for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
-  const double factor = point_to_polygon(p, n, corners);
-  if (factor <= 0.0) return 0.0;
-  int open = 0, rays = 0;
-  auto look = [&](const Vec2& at) {
-    ++rays;
-    open += occluders->rays().occluded(p, frame.at(at), own, b.polygon) ? 0 : 1;
-  };
-  for (const Vec2& q : shape.quadrature()) look(q);
-  if (factor > threshold) {
-    for (const Vec2& c : shape.vertices) look(shape.centroid + 0.98 * (c - shape.centroid));
-  }
-  if (open == rays) return factor;
-  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
-  if (factor <= threshold || depth >= 16) return factor * open / rays;
-  auto [low, high] = shape.bisect();
-  return visible_factor(p, n, own, b, low, threshold, depth + 1, random) +
-         visible_factor(p, n, own, b, high, threshold, depth + 1, random);
-}
-
-void PointGather::Impl::add_bright(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                                   Spectrum& e) const {
-  // A hidden part smaller than a thousandth of all that is bright here does not matter.
-  double total = 0.0;
-  std::vector<double> weight(bright.size(), 0.0);
-  Polygon corners;
-  for (std::size_t i = 0; i < bright.size(); ++i) {
-    const BrightPolygon& b = bright[i];
-    const PolygonFrame& frame = b.forest->frames()[b.k];
-    if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
-    corners.clear();
-    for (const Vec2& c : b.forest->node(b.k).shape.vertices) corners.push_back(frame.at(c));
-    weight[i] = point_to_polygon(p, n, corners) * b.forest->radiosity(b.k)[0];
-    total += weight[i];
-  }
-  const auto terms = static_cast<std::size_t>(bright.empty() ? 1 : bright[0].forest->terms());
-  for (std::size_t i = 0; i < bright.size(); ++i) {
-    if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
-    const BrightPolygon& b = bright[i];
-    const double light = b.forest->radiosity(b.k)[0];
-    const double factor =
-        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / light, 0, random);
-    for (std::size_t band = 0; band < e.size(); ++band) {
-      e[band] += factor * b.forest->radiosity(b.k)[band * terms];
-    }
-  }
-}
-
 void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                   Spectrum& e) const {
+                                   std::span<const double> share, Spectrum& e) const {
   for (const PointLight& light : lights) {
     const Vec3 d = light.p - p;
     const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
     if (cosine <= 0.0 || occluders->rays().occluded(p, light.p, own)) continue;
-    for (std::size_t band = 0; band < e.size(); ++band) {
-      e[band] += light.intensity[band] * cosine / (r2 * std::sqrt(r2));
+    for (std::size_t band = 0; band < bands; ++band) {
+      e[band] += share[band] * light.intensity[band] * cosine / (r2 * std::sqrt(r2));
     }
+  }
+}
+
+/// Adds share * what a ray brings. Where it ends nearer than the patch there is large, the patch's
+/// light is an average over more than what is seen from here (a gap below a cupboard, a corner);
+/// from such a point the light is sought again, with one ray at random, and so on.
+void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
+                                 std::span<const double> weights, Random& random,
+                                 Spectrum& e) const {
+  std::vector<double> carried(bands, share), radiosity(bands);
+  for (int bounces = 0; bounces < 64; ++bounces) {
+    const RayHit hit = occluders->rays().closest(from, direction, own);
+    if (!hit.any() || !hit.front || bright.contains(hit.polygon)) return;
+    const PolygonRef ref = occluders->local(hit.polygon);
+    const PatchForest& patches = clusters[ref.cluster.index()].patches();
+    const Vec3 at = from + hit.distance_m * direction;
+    const double patch_m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
+    if (hit.distance_m * hit.distance_m > patch_m2) {
+      patches.evaluate(true, ref.polygon, at, radiosity);
+      for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
+      return;
+    }
+    const PolygonFrame& frame = patches.frames()[ref.polygon];
+    double most = 0.0;
+    for (std::size_t b = 0; b < bands; ++b) {
+      e[b] += carried[b] * frame.exitance[b];
+      carried[b] *= frame.reflectance[b];
+      most = std::max(most, carried[b]);
+    }
+    // Faint paths end by lot, and those that go on stand for them (Arvo and Kirk 1990).
+    const double survival = std::min(1.0, most / (0.05 * share));
+    if (random.uniform() >= survival) return;
+    for (double& c : carried) c /= survival;
+    own = hit.polygon;
+    from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
+    bright.add_one(from, frame.n, own, weights, random, carried, e);
+    add_lights(from, frame.n, own, carried, e);
+    direction = cosine_direction(frame.n, random.uniform(), random.uniform());
   }
 }
 
@@ -149,25 +92,14 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
 /// (Nusselt).
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
                                        Random& random, Spectrum& e) const {
-  const auto [u, v] = axes_of(n);
+  const std::vector<double> weights = bright.weights_near(p);
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
-  Spectrum sum(e.size(), 0.0);
-  std::vector<double> b(e.size());
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
-      const double r = std::sqrt((i + random.uniform()) / side);
-      const double phi = 2.0 * std::numbers::pi * (j + random.uniform()) / side;
-      const double z = std::sqrt(std::max(0.0, 1.0 - r * r));
-      const Vec3 d = r * std::cos(phi) * u + r * std::sin(phi) * v + z * n;
-      const RayHit hit = occluders->rays().closest(p, d, own);
-      if (!hit.any() || !hit.front || is_bright[hit.polygon]) continue;
-      const PolygonRef ref = occluders->local(hit.polygon);
-      clusters[ref.cluster.index()].patches().evaluate(true, ref.polygon, p + hit.distance_m * d,
-                                                       b);
-      for (std::size_t band = 0; band < e.size(); ++band) sum[band] += b[band];
+      const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
+      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, random, e);
     }
   }
-  for (std::size_t band = 0; band < e.size(); ++band) e[band] += sum[band] / (side * side);
 }
 
 /// The polygon that p lies on with the same facing, within the rays' blind distance; else none.
@@ -180,32 +112,27 @@ std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const 
 
 PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
                          const Occluders& occluders, const PointGatherConfig& config)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->clusters = clusters;
-  impl_->lights = lights;
-  impl_->occluders = &occluders;
-  impl_->config = config;
-  if (!clusters.empty()) impl_->bands = clusters[0].bands();
-  impl_->choose_bright();
-}
+    : impl_(std::make_unique<Impl>(
+          Impl{clusters, lights, &occluders, config, BrightPolygons(clusters, occluders),
+               clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands())})) {}
 
 PointGather::~PointGather() = default;
 
 Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   // The same point gives the same answer, whichever points were asked before it.
   Random random(impl_->config.seed);
-  Spectrum e(static_cast<std::size_t>(impl_->bands), 0.0);
+  Spectrum e(impl_->bands, 0.0);
   const std::uint32_t own = impl_->surface_at(p, n);
   // Off the surface, so that a corner's other walls stay on their side.
   const Vec3 x = p + 2.0 * impl_->occluders->rays().epsilon_m() * n;
-  impl_->add_bright(x, n, own, random, e);
-  impl_->add_lights(x, n, own, e);
+  impl_->bright.add_all(x, n, own, e);
+  impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
   impl_->add_hemisphere(x, n, own, random, e);
   return e;
 }
 
 Spectrum PointGather::from_patches(const Vec3& p, const Vec3& n) const {
-  Spectrum e(static_cast<std::size_t>(impl_->bands), 0.0);
+  Spectrum e(impl_->bands, 0.0);
   std::uint32_t polygon = impl_->surface_at(p, n);
   if (polygon == RayScene::no_polygon) {
     const RayHit hit = impl_->occluders->rays().closest(p, -n);
@@ -218,7 +145,7 @@ Spectrum PointGather::from_patches(const Vec3& p, const Vec3& n) const {
 }
 
 Spectrum PointGather::radiosity(std::uint32_t polygon, const Vec3& p) const {
-  Spectrum b(static_cast<std::size_t>(impl_->bands), 0.0);
+  Spectrum b(impl_->bands, 0.0);
   const PolygonRef ref = impl_->occluders->local(polygon);
   impl_->clusters[ref.cluster.index()].patches().evaluate(true, ref.polygon, p, b);
   return b;

@@ -52,5 +52,22 @@ TEST(PointGather, PatchesAgreeWithTheGatherInAFurnace) {
   }
 }
 
+TEST(PointGather, AGapBelowASlabIsDarkHoweverCoarseThePatches) {
+  // A slab 1 cm above the floor: nothing comes to its middle, though the floor is one bright patch.
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.5}, {0.0});
+  scene.surfaces.back().exitance = {10.0};
+  Surface slab;
+  slab.reflectance = {0.5};
+  slab.exitance = {0.0};
+  slab.vertices = {{1, 1, 0.01}, {1, 3, 0.01}, {3, 3, 0.01}, {3, 1, 0.01}};  // faces down
+  scene.surfaces.push_back(slab);
+  const testing::Solved solved(scene, Basis::linear, 1.0);
+  const PointGather gather(solved.states, scene.lights, solved.occluders, {});
+  const double lit = gather.irradiance({0.5, 2, 0}, {0, 0, 1})[0];
+  ASSERT_GT(gather.from_patches({2, 2, 0}, {0, 0, 1})[0], 0.1 * lit)
+      << "the patches know no better";
+  EXPECT_LT(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 1e-3 * lit);
+}
+
 }  // namespace
 }  // namespace enfilade

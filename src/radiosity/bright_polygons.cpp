@@ -1,0 +1,134 @@
+#include "radiosity/bright_polygons.hpp"
+
+#include <algorithm>
+
+#include "radiosity/form_factor.hpp"
+
+namespace enfilade {
+namespace {
+
+double top_radiosity(const PatchForest& f, std::size_t k) {
+  const auto terms = static_cast<std::size_t>(f.terms());
+  double top = 0.0;
+  for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms) {
+    top = std::max(top, f.radiosity(k)[i]);
+  }
+  return top;
+}
+
+Polygon corners_of(const PatchForest& f, std::size_t k, const PatchShape& shape) {
+  Polygon corners;
+  for (const Vec2& c : shape.vertices) corners.push_back(f.frames()[k].at(c));
+  return corners;
+}
+
+}  // namespace
+
+BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occluders& occluders)
+    : occluders_(&occluders) {
+  double area = 0.0, power = 0.0;
+  std::size_t polygons = 0;
+  for (const ClusterState& c : clusters) {
+    const PatchForest& f = c.patches();
+    polygons += f.polygons();
+    for (std::size_t k = 0; k < f.polygons(); ++k) {
+      area += f.node(k).shape.area_m2;
+      power += f.node(k).shape.area_m2 * top_radiosity(f, k);
+    }
+  }
+  is_bright_.assign(polygons, false);
+  const double limit = area > 0.0 ? 8.0 * power / area : 0.0;
+  for (const ClusterState& c : clusters) {
+    const PatchForest& f = c.patches();
+    for (std::uint32_t k = 0; k < f.polygons(); ++k) {
+      if (top_radiosity(f, k) <= limit || limit <= 0.0) continue;
+      const std::uint32_t number = occluders.global(c.id(), k);
+      is_bright_[number] = true;
+      bright_.push_back({number, &f, k, corners_of(f, k, f.node(k).shape)});
+    }
+  }
+}
+
+/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
+/// until they matter less than the threshold.
+double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                      const Bright& b, const PatchShape& shape, double threshold,
+                                      int depth) const {
+  const PolygonFrame& frame = b.forest->frames()[b.k];
+  const double factor = point_to_polygon(p, n, corners_of(*b.forest, b.k, shape));
+  if (factor <= 0.0) return 0.0;
+  int open = 0, rays = 0;
+  auto look = [&](const Vec2& at) {
+    ++rays;
+    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon) ? 0 : 1;
+  };
+  for (const Vec2& q : shape.quadrature()) look(q);
+  if (factor > threshold) {
+    for (const Vec2& c : shape.vertices) look(shape.centroid + 0.98 * (c - shape.centroid));
+  }
+  if (open == rays) return factor;
+  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
+  if (factor <= threshold || depth >= 16) return factor * open / rays;
+  auto [low, high] = shape.bisect();
+  return visible_factor(p, n, own, b, low, threshold, depth + 1) +
+         visible_factor(p, n, own, b, high, threshold, depth + 1);
+}
+
+void BrightPolygons::add_all(const Vec3& p, const Vec3& n, std::uint32_t own,
+                             Spectrum& irradiance) const {
+  // A hidden part smaller than a thousandth of all that is bright here does not matter.
+  double total = 0.0;
+  std::vector<double> weight(bright_.size(), 0.0);
+  for (std::size_t i = 0; i < bright_.size(); ++i) {
+    const Bright& b = bright_[i];
+    const PolygonFrame& frame = b.forest->frames()[b.k];
+    if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
+    weight[i] = point_to_polygon(p, n, b.corners) * b.radiosity(0);
+    total += weight[i];
+  }
+  for (std::size_t i = 0; i < bright_.size(); ++i) {
+    if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
+    const Bright& b = bright_[i];
+    const double factor =
+        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / b.radiosity(0), 0);
+    for (std::size_t band = 0; band < irradiance.size(); ++band) {
+      irradiance[band] += factor * b.radiosity(band);
+    }
+  }
+}
+
+std::vector<double> BrightPolygons::weights_near(const Vec3& p) const {
+  std::vector<double> sums;
+  double sum = 0.0;
+  for (const Bright& b : bright_) {
+    const PatchShape& shape = b.forest->node(b.k).shape;
+    const Vec3 d = b.forest->frames()[b.k].at(shape.centroid) - p;
+    sum += top_radiosity(*b.forest, b.k) * shape.area_m2 / (glm::dot(d, d) + shape.area_m2);
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+void BrightPolygons::add_one(const Vec3& p, const Vec3& n, std::uint32_t own,
+                             std::span<const double> weights, Random& random,
+                             std::span<const double> share, Spectrum& irradiance) const {
+  if (bright_.empty()) return;
+  const double pick = random.uniform() * weights.back();
+  const auto at = std::upper_bound(weights.begin(), weights.end(), pick) - weights.begin();
+  const std::size_t i = std::min(static_cast<std::size_t>(at), bright_.size() - 1);
+  const Bright& b = bright_[i];
+  const double r1 = random.uniform(), r2 = random.uniform();
+  const int quarter = static_cast<int>(random.below(4));
+  const PolygonFrame& frame = b.forest->frames()[b.k];
+  if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) return;
+  const double factor = point_to_polygon(p, n, b.corners);
+  if (factor <= 0.0) return;
+  const Vec3 y = frame.at(b.forest->node(b.k).shape.point_in_quarter(quarter, r1, r2));
+  if (occluders_->rays().occluded(p, y, own, b.polygon)) return;
+  const double chance = (weights[i] - (i > 0 ? weights[i - 1] : 0.0)) / weights.back();
+  for (std::size_t band = 0; band < irradiance.size(); ++band) {
+    irradiance[band] += share[band] * factor / chance * b.radiosity(band);
+  }
+}
+
+}  // namespace enfilade

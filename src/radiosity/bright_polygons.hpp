@@ -1,0 +1,49 @@
+// The polygons that a hemisphere of rays would find too seldom for what they give: lamps, windows.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/random.hpp"
+#include "radiosity/cluster_state.hpp"
+#include "radiosity/occluders.hpp"
+
+namespace enfilade {
+
+/// Those whose mean radiosity is over 8 times the mean of all surfaces (so none in a furnace).
+/// Their light at a point is had by closed form and visibility rays. Refers to what it is made of.
+class BrightPolygons {
+ public:
+  BrightPolygons(std::span<const ClusterState> clusters, const Occluders& occluders);
+
+  bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
+  /// Adds to `irradiance` what all of them give at p, partly hidden ones looked at as closely as
+  /// they matter. `own`: the polygon that p lies on.
+  void add_all(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& irradiance) const;
+
+  /// How likely each is to be picked for points near p.
+  std::vector<double> weights_near(const Vec3& p) const;
+  /// Adds share * the irradiance that one of them gives at p, picked by `weights` (running sums),
+  /// by one ray; its mean over many picks is that of all.
+  void add_one(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> weights,
+               Random& random, std::span<const double> share, Spectrum& irradiance) const;
+
+ private:
+  struct Bright {
+    std::uint32_t polygon;  // global number
+    const PatchForest* forest;
+    std::uint32_t k;
+    Polygon corners;
+    double radiosity(std::size_t band) const {
+      return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
+    }
+  };
+  double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                        const PatchShape& shape, double threshold, int depth) const;
+
+  const Occluders* occluders_;
+  std::vector<Bright> bright_;
+  std::vector<bool> is_bright_;
+};
+
+}  // namespace enfilade
