@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
+#include <span>
 
 #include "rooms.hpp"
 #include "store/manifest.hpp"
@@ -18,9 +18,8 @@ using store_tests::Rooms;
 const ClusterId zero(0u), one(1u);
 
 std::vector<std::byte> text(const std::string& s) {
-  std::vector<std::byte> bytes(s.size());
-  std::memcpy(bytes.data(), s.data(), s.size());
-  return bytes;
+  const std::span<const std::byte> bytes = std::as_bytes(std::span(s));
+  return {bytes.begin(), bytes.end()};
 }
 
 RecordCount sized(std::size_t bytes) {
