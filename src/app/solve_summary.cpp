@@ -15,7 +15,7 @@ std::string shown_number(const std::string& key, double x) {
   if (!std::isfinite(x)) return "not known";
   if (key.ends_with("_s")) return format_duration(x);
   if (key.starts_with("bytes_") || key.ends_with("_bytes")) return format_bytes(x);
-  if (key == "estimated_error" || key == "target_error" || key == "flux_balance")
+  if (key == "estimated_error" || key == "target_error" || key == "flux_balance" || key == "escaping_share")
     return fmt::format("{:.2g}%", 100.0 * x);
   return fmt::format("{:.4g}", x);
 }
@@ -38,7 +38,8 @@ constexpr Row summary_rows[] = {
     {"iterations", "iterations"},
     {"estimated_error", "estimated error"},
     {"target_error", "asked error"},
-    {"flux_balance", "light unaccounted for"},
+    {"flux_balance", "light not absorbed"},
+    {"escaping_share", "of that seen to leave"},
     {"peak_rss_bytes", "memory, largest rank"},
     {"prepare_s", "time to prepare"},
     {"solve_s", "time to solve"},

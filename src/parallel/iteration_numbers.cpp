@@ -28,6 +28,11 @@ class Numbers {
 
 constexpr std::size_t plan_numbers = 6;
 
+void add_bands(Spectrum& sum, const Spectrum& part) {
+  if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
+  for (std::size_t b = 0; b < part.size(); ++b) sum[b] += part[b];
+}
+
 }  // namespace
 
 void add(IterationSums& sums, const IterationSums& part) {
@@ -39,11 +44,8 @@ void add(IterationSums& sums, const IterationSums& part) {
   sums.links += part.links;
   sums.steals += part.steals;
   sums.steal_requests += part.steal_requests;
-  if (sums.absorbed_power.size() < part.absorbed_power.size()) {
-    sums.absorbed_power.resize(part.absorbed_power.size(), 0.0);
-  }
-  for (std::size_t b = 0; b < part.absorbed_power.size(); ++b)
-    sums.absorbed_power[b] += part.absorbed_power[b];
+  add_bands(sums.absorbed_power, part.absorbed_power);
+  add_bands(sums.escaping_power, part.escaping_power);
   sums.work += part.work;
 }
 
@@ -68,6 +70,7 @@ Token to_token(const IterationSums& s) {
                 number(s.work.bytes_read),
                 number(s.work.bytes_written)};
   token.sums.insert(token.sums.end(), s.absorbed_power.begin(), s.absorbed_power.end());
+  token.sums.insert(token.sums.end(), s.escaping_power.begin(), s.escaping_power.end());
   return token;
 }
 
@@ -92,7 +95,10 @@ IterationSums sums_from(const Token& token) {
   s.work.shafts = sums.next_count();
   s.work.bytes_read = sums.next_count();
   s.work.bytes_written = sums.next_count();
-  s.absorbed_power.assign(sums.rest().begin(), sums.rest().end());
+  const auto bands = sums.rest();  // both have as many
+  const auto half = bands.begin() + static_cast<std::ptrdiff_t>(bands.size() / 2);
+  s.absorbed_power.assign(bands.begin(), half);
+  s.escaping_power.assign(half, bands.end());
   return s;
 }
 

@@ -30,6 +30,7 @@ struct IterationSums {
   std::uint64_t patches = 0, links = 0;
   std::uint64_t steals = 0, steal_requests = 0;
   Spectrum absorbed_power;  ///< per band
+  Spectrum escaping_power;  ///< per band: GatherResult::escaping_power
   WorkCount work;           ///< of this iteration
 };
 /// Folds one part (a cluster's, a rank's) into another.

@@ -81,6 +81,7 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.received_power = result.received_power;
   sums.link_error_power = result.link_error_power;
   sums.absorbed_power = result.absorbed_power;
+  sums.escaping_power = result.escaping_power;
   sums.work = result.work;
   sums.patches = state.patches().size();
   sums.links = state.links().size();

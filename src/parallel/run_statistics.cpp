@@ -25,11 +25,11 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// Emitted less absorbed, relative to emitted, in the worst band: zero in a closed scene.
-double flux_balance(const Spectrum& emitted, const Spectrum& absorbed) {
+/// The largest |of - less| relative to `of` over the bands.
+double largest_share(const Spectrum& of, const Spectrum& less) {
   double worst = 0.0;
-  for (std::size_t b = 0; b < std::min(emitted.size(), absorbed.size()); ++b) {
-    if (emitted[b] > 0.0) worst = std::max(worst, std::abs(emitted[b] - absorbed[b]) / emitted[b]);
+  for (std::size_t b = 0; b < std::min(of.size(), less.size()); ++b) {
+    if (of[b] > 0.0) worst = std::max(worst, std::abs(of[b] - less[b]) / of[b]);
   }
   return worst;
 }
@@ -59,7 +59,13 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
       RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
   record.set("estimated_error",
              RunRecord::Value(history.empty() ? 1.0 : history.back().estimated_error));
-  record.set("flux_balance", RunRecord::Value(flux_balance(emitted, end.absorbed_power)));
+  // Emitted less absorbed: zero in a closed scene. And what of that the rays saw go.
+  record.set("flux_balance", RunRecord::Value(largest_share(emitted, end.absorbed_power)));
+  Spectrum stays = emitted;
+  for (std::size_t b = 0; b < std::min(stays.size(), end.escaping_power.size()); ++b) {
+    stays[b] -= end.escaping_power[b];
+  }
+  record.set("escaping_share", RunRecord::Value(largest_share(emitted, stays)));
   record.set("rays", all.work.rays);
   record.set("form_factors", all.work.form_factors);
   record.set("steals", all.steals);

@@ -214,6 +214,7 @@ void Gatherer::push_pull() {
   patches.push_pull(gathered_);
   result_.work.push_pulls += patches.size();
   result_.absorbed_power.assign(bands_, 0.0);
+  result_.escaping_power.assign(bands_, 0.0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
@@ -225,6 +226,10 @@ void Gatherer::push_pull() {
       change[b] += node.shape.area_m2 * delta;
       received[b] += power;
       result_.absorbed_power[b] += (1.0 - patches.frames()[node.id.root].reflectance[b]) * power;
+      if (patches.exposure(n) >= 0.0f) {
+        result_.escaping_power[b] += node.shape.area_m2 * patches.radiosity(n)[b * terms_] *
+                                     (1.0 - static_cast<double>(patches.exposure(n)));
+      }
     }
   }
   result_.coarse.after = arriving_power();

@@ -32,6 +32,9 @@ struct GatherResult {
   double link_error_power = 0.0;  ///< sum of the estimated errors of its links, in power
   CoarseRow coarse;               ///< its row of the coarse correction
   Spectrum absorbed_power;        ///< per band: sum of area (1 - reflectance) irradiance
+  /// Per band: sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on
+  /// a black back or on a front in the dark.
+  Spectrum escaping_power;
 };
 
 /// Brings in a visible cluster; what it returns need stay valid only until the next call.

@@ -87,6 +87,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.sums.work.rays = 1234567890123;
   s.sums.work.shafts = 8;
   s.sums.absorbed_power = {1.0, 2.0, 3.0};
+  s.sums.escaping_power = {4.0, 5.0, 6.0};
   const IterationSummary back = summary_from(to_numbers(s));
   EXPECT_EQ(to_numbers(back), to_numbers(s));
   EXPECT_EQ(back.plan.iteration, 7);
@@ -94,6 +95,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(back.sums.work.rays, 1234567890123u);
   EXPECT_EQ(back.sums.work.shafts, 8u);
   EXPECT_EQ(back.sums.absorbed_power, s.sums.absorbed_power);
+  EXPECT_EQ(back.sums.escaping_power, s.sums.escaping_power);
   EXPECT_THROW(summary_from(std::vector<double>(9, 1.0)), RunError);
 }
 
