@@ -15,7 +15,8 @@ std::string shown_number(const std::string& key, double x) {
   if (!std::isfinite(x)) return "not known";
   if (key.ends_with("_s")) return format_duration(x);
   if (key.starts_with("bytes_") || key.ends_with("_bytes")) return format_bytes(x);
-  if (key == "estimated_error" || key == "target_error" || key == "flux_balance" || key == "escaping_share")
+  if (key == "estimated_error" || key == "target_error" || key == "flux_balance" ||
+      key == "escaping_share")
     return fmt::format("{:.2g}%", 100.0 * x);
   return fmt::format("{:.4g}", x);
 }
