@@ -5,6 +5,7 @@
 
 #include "app/command.hpp"
 #include "app/graph_file.hpp"
+#include "app/output_file.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
@@ -26,6 +27,7 @@ void run_export(const ExportOptions& options, Session& session) {
                      "'" + options.output + "' is of no kind that can be exported",
                      "name a .glb file for the light or a .json file for the graph");
   }
+  check_output_file(options.output);
   const std::string content = extension == ".json"
                                   ? graph_json(load_prepared(options.run))
                                   : solution_glb(SolvedRun(options.run).solved_scene());

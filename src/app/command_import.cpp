@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/output_file.hpp"
 #include "app/text_table.hpp"
+#include "base/error.hpp"
 #include "scene/scene_io.hpp"
 
 namespace enfilade {
@@ -15,6 +17,10 @@ struct ImportOptions {
 };
 
 void run_import(const ImportOptions& options, Session& session) {
+  check_output_file(options.output);
+  if (!options.output.ends_with(".json")) {
+    throw InputError(options.output, "-o", "is no name of a scene file", "let it end in .json");
+  }
   Warnings warnings;
   const Scene scene = import_model(options.model, warnings);
   session.console().warnings(warnings);
@@ -30,13 +36,26 @@ void run_import(const ImportOptions& options, Session& session) {
 
 void add_import(CLI::App& cli, Command& chosen) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* sub = cli.add_subcommand("import", "Make a scene file from a glTF, OBJ or IFC model");
-  sub->add_option("model", options->model, "Model to read: .gltf, .glb, .obj or .ifc")->required();
+  CLI::App* sub =
+      cli.add_subcommand("import", "Make a scene file from a glTF, OBJ, IFC or Radiance model");
+  sub->add_option("model", options->model, "Model to read: .gltf, .glb, .obj, .ifc or .rad")
+      ->required();
   sub->add_option("-o,--output", options->output, "Scene file to write (JSON)")->required();
   sub->footer(
       "Example:\n  enfilade import house.glb -o house.json\n\n"
-      "Lengths are taken as metres. Base colour becomes reflectance, emission becomes exitance in\n"
-      "W/m2. Materials give three bands: red, green, blue.");
+      "  enfilade import office.rad -o office.json\n\n"
+      "Lengths are taken as metres. Base colour becomes reflectance, emission becomes exitance:\n"
+      "lm/m2 where the model has luminances (glTF, OBJ, IFC), W/m2 of a Radiance model's "
+      "radiances.\n"
+      "Materials give three bands: red, green, blue.\n\n"
+      "Radiance (.rad): polygons, rings, cylinders, cones, cups, tubes, spheres and bubbles with "
+      "the\n"
+      "diffuse part of their materials, reflecting on both sides and emitting from the front. "
+      "Round\n"
+      "shapes get 24 sides of the circle's area, spheres 16 x 8 faces of the sphere's area. Of\n"
+      "commands, plain !xform lines are carried out (-n -t -rx -ry -rz -s -mx -my -mz); a model "
+      "with\n"
+      "others must be expanded by Radiance's own xform first.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_import(*options, session); }};
   });

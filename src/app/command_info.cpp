@@ -90,7 +90,7 @@ void add_prepared(TextTable& table, const Prepared& prepared) {
 
 void run_info(const std::string& input, Session& session) {
   TextTable table(input);
-  if (!std::filesystem::is_directory(input)) {
+  if (std::error_code code; !std::filesystem::is_directory(input, code)) {
     Warnings warnings;
     add_scene(table, read_scene(input, warnings));
     session.console().warnings(warnings);

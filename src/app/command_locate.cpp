@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.hpp"
+#include "app/output_file.hpp"
 #include "app/point_file.hpp"
 #include "app/text_table.hpp"
 #include "parallel/prepare.hpp"
@@ -18,6 +19,7 @@ struct LocateOptions {
 };
 
 void run_locate(const LocateOptions& options, Session& session) {
+  check_output_file(options.output);
   const Prepared prepared = load_prepared(options.run);
   nlohmann::json cells = nlohmann::json::array();
   std::size_t outside = 0;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/run_outputs.hpp"
 #include "app/text_table.hpp"
 #include "parallel/prepare.hpp"
 #include "scene/scene_io.hpp"
@@ -20,6 +21,7 @@ void run_prepare(const PrepareOptions& options, Session& session) {
   Warnings warnings;
   const Scene scene = read_scene(options.scene, warnings);
   const Prepared prepared = prepare(scene, options.run, {}, warnings, console.progress());
+  remove_run_outputs(options.run);  // of the solution that was dropped
   console.warnings(warnings);
   TextTable table(options.run);
   table.add("surfaces", with_thousands(prepared.scene.surfaces.size()));

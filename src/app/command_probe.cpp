@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/output_file.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
 #include "scene/scene_io.hpp"
@@ -18,6 +19,7 @@ struct ProbeOptions {
 };
 
 void run_probe(const ProbeOptions& options, Session& session) {
+  check_output_file(options.output);
   const std::vector<Probe> probes = read_probes(options.points);
   const SolvedRun run(options.run, options.gather);
   const std::vector<Spectrum> answers =

@@ -4,6 +4,7 @@
 
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
+#include "app/output_file.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
@@ -61,6 +62,7 @@ void check(const RenderOptions& options) {
     throw InputError("command line", "-o", "'" + options.output + "' is no .png file",
                      "name a .png file");
   }
+  check_output_file(options.output);
 }
 
 void run_render(const RenderOptions& options, Session& session) {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/output_file.hpp"
 #include "app/run_outputs.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
@@ -20,6 +21,7 @@ struct ReportOptions {
 };
 
 void run_report(const ReportOptions& options, Session& session) {
+  check_output_file(options.output);
   std::vector<RunPage> pages;
   for (const std::string& directory : options.runs) {
     const SolvedRun run(directory);

@@ -8,9 +8,9 @@
 #include "app/run_outputs.hpp"
 #include "app/solve_options.hpp"
 #include "app/solve_summary.hpp"
+#include "parallel/history.hpp"
 #include "parallel/prepare.hpp"
 #include "parallel/solve.hpp"
-#include "store/manifest.hpp"
 
 namespace enfilade {
 
@@ -25,13 +25,8 @@ SolveConfig agree_on_config(const SolveOptions& options, Session& session) {
   return options.config();
 }
 
-/// Every iteration of the solution, those from before a crash included.
 std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
-  std::vector<IterationSummary> history;
-  if (const auto manifest = read_manifest(RunLayout(run_directory))) {
-    for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
-  }
-  return history;
+  return history_of(read_manifest(RunLayout(run_directory)));
 }
 
 void run_solve(const SolveOptions& options, Session& session) {
@@ -42,15 +37,22 @@ void run_solve(const SolveOptions& options, Session& session) {
 
   Warnings warnings;
   Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory, {},
-                                      warnings, console.progress());
+                                      warnings, console.progress(), config.resume);
   console.warnings(warnings);
 
-  communicator.on_root([&] { remove_run_outputs(config.run_directory); });
+  communicator.on_root([&] {
+    // What every rank is about to read is read by one first, who tells what is wrong with it.
+    if (config.resume) committed_iterations(config.run_directory);
+    remove_run_outputs(config.run_directory);
+  });
   SolveProgress progress(config.target_error, console.progress());
   RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
   describe_run(stats, config, prepared);
 
   communicator.on_root([&] {
+    const Warnings shortfall = shortfall_of(config.run_directory, stats, config.max_iterations);
+    console.warnings(shortfall);
+    for (const Warning& w : shortfall.all()) warnings.add(w.where, w.what);
     const auto owner =
         assign(prepared.graph, {config.assignment, communicator.size(), config.seed});
     write_run_outputs(

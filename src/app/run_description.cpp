@@ -1,6 +1,6 @@
 #include "app/run_description.hpp"
 
-#include <fmt/format.h>
+#include "base/hash_text.hpp"
 
 namespace enfilade {
 
@@ -22,7 +22,7 @@ const char* name_of(AssignmentMethod method) {
 void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
   record.set("version", ENFILADE_VERSION);
   record.set("revision", ENFILADE_REVISION);
-  record.set("scene_hash", fmt::format("{:016x}", prepared.scene.hash));
+  record.set("scene_hash", hash_text(prepared.scene.hash));
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("seed", config.seed);
   record.set("target_error", config.target_error);

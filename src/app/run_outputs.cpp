@@ -11,6 +11,7 @@
 #include "report/stats_json.hpp"
 #include "report/surfaces_csv.hpp"
 #include "scene/scene_io.hpp"
+#include "store/posix_file.hpp"
 
 namespace enfilade {
 
@@ -80,7 +81,7 @@ void remove_run_outputs(const std::string& run_directory) {
   for (const char* name :
        {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
         "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
-    std::filesystem::remove_all(run / name);
+    remove_directory((run / name).string());
   }
 }
 
@@ -97,7 +98,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
                         solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
-  if (!page.pictures.empty()) std::filesystem::create_directories(directory + "pictures");
+  if (!page.pictures.empty()) make_directory(directory + "pictures");
   for (const Figure& figure : page.pictures) {
     write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png",
                           figure.png);

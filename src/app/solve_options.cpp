@@ -28,6 +28,12 @@ Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
 }
 
+/// Without the error that the file system's own function throws for what it may not look at.
+bool is_directory(const std::string& path) {
+  std::error_code code;
+  return fs::is_directory(path, code);
+}
+
 TourOrder order_of(const std::string& name) {
   return name == "input" ? TourOrder::input : TourOrder::travelling_salesman;
 }
@@ -98,7 +104,7 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
 }  // namespace
 
 std::string SolveOptions::scene_file() const {
-  if (!fs::is_directory(input)) return input;
+  if (!is_directory(input)) return input;
   return run_directory() == input ? "" : (fs::path(input) / "scene.json").string();
 }
 
@@ -109,11 +115,14 @@ std::string SolveOptions::run_directory() const {
 }
 
 std::string SolveOptions::probe_source() const {
-  return fs::is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
+  return is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
 }
 
 SolveConfig SolveOptions::config() const {
-  if (output.empty() && !fs::is_directory(input)) {
+  if (output.empty() && !is_directory(input)) {
+    if (std::error_code code; !fs::exists(input, code)) {
+      throw InputError(input, "file", code ? code.message() : "does not exist", "check the path");
+    }
     throw InputError("command line", "solve", "-o is missing",
                      "name the RUN directory to fill, as in -o out/run");
   }

@@ -21,6 +21,11 @@ std::string shown_number(const std::string& key, double x) {
   return fmt::format("{:.4g}", x);
 }
 
+bool gave_up(const RunRecord& record) {
+  const auto* converged = record.find("converged");
+  return converged != nullptr && *converged == RunRecord::Value(false);
+}
+
 struct Row {
   const char* key;
   const char* label;
@@ -82,13 +87,26 @@ std::string shown_value(const std::string& key, const RunRecord::Value& value) {
   return list;
 }
 
+Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
+                      int max_iterations) {
+  Warnings warnings;
+  if (!gave_up(record)) return warnings;
+  const auto percent = [&](const char* key) { return shown_number(key, record.number(key, 1.0)); };
+  const double iterations = record.number("iterations", 0.0);
+  warnings.add(run_directory,
+               fmt::format("not converged after {} iterations: estimated error {}, asked {}; {}",
+                           iterations, percent("estimated_error"), percent("target_error"),
+                           iterations < max_iterations
+                               ? "finer links bring nothing more, ask for a larger --target-error"
+                               : "go on with --resume and a larger --max-iterations"));
+  return warnings;
+}
+
 std::string solve_summary(const std::string& run_directory, const RunRecord& record) {
-  const auto* converged = record.find("converged");
-  const bool stopped = converged != nullptr && *converged == RunRecord::Value(false);
   const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
-  const char* state = stopped   ? ": gave up before it converged"
-                      : reached ? ": solved"
-                                : ": converged above the asked error";
+  const char* state = gave_up(record) ? ": gave up before it converged"
+                      : reached       ? ": solved"
+                                      : ": converged above the asked error";
   TextTable table(run_directory + state);
   for (const Row& row : summary_rows) {
     if (const auto* value = record.find(row.key))

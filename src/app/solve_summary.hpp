@@ -5,6 +5,7 @@
 
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
+#include "base/warnings.hpp"
 #include "parallel/solve.hpp"
 
 namespace enfilade {
@@ -29,6 +30,10 @@ class SolveProgress {
 
 /// The table at the end of a solve; `record` is that of RUN/stats.json.
 std::string solve_summary(const std::string& run_directory, const RunRecord& record);
+
+/// A warning with the estimate and the remedy, where the solve gave up before it converged.
+Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
+                      int max_iterations);
 
 /// A value of a run record as people read it: counts with thousands, seconds, bytes, percent by the
 /// key's end.

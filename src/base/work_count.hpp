@@ -15,8 +15,6 @@ struct WorkCount {
   std::uint64_t patches = 0;         ///< patches created
   std::uint64_t push_pulls = 0;      ///< patches visited by push-pull
   std::uint64_t shafts = 0;          ///< shaft queries
-  std::uint64_t bytes_read = 0;      ///< from the store
-  std::uint64_t bytes_written = 0;   ///< to the store
 
   WorkCount& operator+=(const WorkCount& o) {
     rays += o.rays;
@@ -27,8 +25,6 @@ struct WorkCount {
     patches += o.patches;
     push_pulls += o.push_pulls;
     shafts += o.shafts;
-    bytes_read += o.bytes_read;
-    bytes_written += o.bytes_written;
     return *this;
   }
 };

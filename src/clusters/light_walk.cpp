@@ -37,7 +37,7 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
     const bool emits = std::any_of(surface.exitance.begin(), surface.exitance.end(),
                                    [](double e) { return e > 0.0; });
     if (emits) emitters_.push_back(static_cast<std::uint32_t>(faces_.size()));
-    faces_.push_back({normal(piece.piece.polygon), emits, surface.two_sided});
+    faces_.push_back({normal(piece.piece.polygon), emits});
   }
 }
 
@@ -53,19 +53,11 @@ bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
     p += offset_m_ * n;
     if (sees_light(p, n, random)) return true;
     const Vec3 d = cosine_direction(n, random);
-    RayHit hit = rays_.closest(p, d);
-    if (!hit.any()) return false;
-    bool front = hit.front || faces_[hit.polygon].two_sided;
-    if (!front) {
-      // The front of another polygon may lie in the same place: a wall without thickness.
-      const RayHit twin = rays_.closest(p, d, hit.polygon, hit.distance_m + offset_m_);
-      front = twin.any() && twin.front;
-      if (front) hit = twin;
-    }
-    if (!front) return false;
+    const RayHit hit = rays_.closest(p, d);
+    if (!hit.any() || !hit.front) return false;
     if (faces_[hit.polygon].emits) return true;
     p += hit.distance_m * d;
-    n = hit.front ? faces_[hit.polygon].n : -faces_[hit.polygon].n;
+    n = faces_[hit.polygon].n;
   }
   return false;
 }

@@ -30,7 +30,7 @@ class LightWalk {
 
   struct Face {
     Vec3 n;
-    bool emits, two_sided;
+    bool emits;
   };
   std::span<const PointLight> lights_;
   std::span<const CellPiece> pieces_;

@@ -14,6 +14,8 @@ namespace {
 using Json = nlohmann::json;
 using Setter = std::function<void(double)>;
 
+constexpr double most = 1e18;  // of any figure: still a whole number of bytes
+
 void read_group(const Json& document, const std::string& path, const std::string& group,
                 const std::map<std::string, Setter>& setters) {
   const auto found = document.find(group);
@@ -28,8 +30,9 @@ void read_group(const Json& document, const std::string& path, const std::string
       throw InputError(path, where, "not a cost that is known",
                        "see platforms/README.md for the keys");
     }
-    if (!value.is_number() || value.get<double>() < 0.0) {
-      throw InputError(path, where, "not a number from 0 up", "give the cost as such a number");
+    if (!value.is_number() || value.get<double>() < 0.0 || value.get<double>() > most) {
+      throw InputError(path, where, "not a number from 0 to 1e18",
+                       "give the cost as such a number");
     }
     setter->second(value.get<double>());
   }
@@ -56,6 +59,8 @@ Json parse(const std::string& path) {
   } catch (const Json::parse_error& error) {
     throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON",
                      "mend the syntax there");
+  } catch (const Json::exception&) {
+    throw InputError(path, "file", "has a number too large to be read", "give numbers up to 1e18");
   }
 }
 
@@ -63,8 +68,8 @@ Json parse(const std::string& path) {
 
 CostModel read_cost_model(const std::string& path) {
   const Json document = parse(path);
-  if (!document.is_object() || document.value("format", "") != "enfilade-cost-model" ||
-      document.value("version", 0) != 1) {
+  if (!document.is_object() || document.value("format", Json()) != "enfilade-cost-model" ||
+      document.value("version", Json()) != 1) {
     throw InputError(path, "format", "not an enfilade-cost-model of version 1",
                      "start from platforms/cost_model.json");
   }
@@ -100,8 +105,7 @@ double price_flops(const CostModel& model, const WorkCount& work) {
   const FlopCosts& f = model.flops;
   return f.ray * n(work.rays) + f.form_factor * n(work.form_factors) + f.kernel * n(work.kernels) +
          f.link_refined * n(work.links_refined) + f.link_gathered * n(work.links_gathered) +
-         f.patch * n(work.patches) + f.push_pull * n(work.push_pulls) + f.shaft * n(work.shafts) +
-         f.byte_read * n(work.bytes_read) + f.byte_written * n(work.bytes_written);
+         f.patch * n(work.patches) + f.push_pull * n(work.push_pulls) + f.shaft * n(work.shafts);
 }
 
 std::uint64_t price_record(const CostModel& model, const RecordCount& count) {

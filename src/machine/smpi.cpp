@@ -6,6 +6,8 @@
 #include <simgrid/s4u.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,18 @@ DiskArm& arm_of(s4u::Disk& disk) {
   if (disk.get_data<DiskArm>() == nullptr)
     disk.set_data(new DiskArm);  // lives as long as the simulation
   return *disk.get_data<DiskArm>();
+}
+
+/// The disk's own property `seek_s`, or the cost model's.
+double seek_s(const s4u::Disk& disk, const DiskCosts& costs) {
+  const char* own = disk.get_property("seek_s");
+  if (own == nullptr) return costs.seek_s;
+  char* end = nullptr;
+  const double seconds = std::strtod(own, &end);
+  if (end != own && *end == '\0' && seconds >= 0.0 && std::isfinite(seconds)) return seconds;
+  throw InputError("platform", "disk " + disk.get_name() + ": seek_s",
+                   "'" + std::string(own) + "' is not a number of seconds from 0 up",
+                   "give it as platforms/README.md shows");
 }
 
 /// A disk and the host that it hangs on.
@@ -54,6 +68,10 @@ class SimulatedMachine final : public Machine {
  public:
   explicit SimulatedMachine(const CostModel& costs)
       : costs_(costs), here_(s4u::this_actor::get_host()), common_(common_servers()) {
+    // All disks, so that every rank refuses the same platform.
+    for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
+      for (s4u::Disk* disk : host->get_disks()) seek_s(*disk, costs_.disk);
+    }
     if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front()};
     if (const char* memory = here_->get_property("memory")) {
       // All ranks were placed before the first one ran: those of one host share its memory.
@@ -92,11 +110,6 @@ class SimulatedMachine final : public Machine {
   std::string host() const override { return here_->get_name(); }
 
  private:
-  /// The disk's own property `seek_s`, or the cost model's.
-  double seek_s(const s4u::Disk& disk) const {
-    const char* own = disk.get_property("seek_s");
-    return own != nullptr ? std::stod(own) : costs_.disk.seek_s;
-  }
   static void execute(double flops) {
     if (flops > 0.0) smpi_execute_flops(flops);
   }
@@ -125,7 +138,8 @@ class SimulatedMachine final : public Machine {
     const double bandwidth =
         reading ? server.disk->get_read_bandwidth() : server.disk->get_write_bandwidth();
     queue->lock();
-    s4u::this_actor::sleep_for(seek_s(*server.disk) + static_cast<double>(bytes) / bandwidth);
+    s4u::this_actor::sleep_for(seek_s(*server.disk, costs_.disk) +
+                               static_cast<double>(bytes) / bandwidth);
     queue->unlock();
     if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
   }

@@ -66,9 +66,7 @@ Token to_token(const IterationSums& s) {
                 number(s.work.links_gathered),
                 number(s.work.patches),
                 number(s.work.push_pulls),
-                number(s.work.shafts),
-                number(s.work.bytes_read),
-                number(s.work.bytes_written)};
+                number(s.work.shafts)};
   token.sums.insert(token.sums.end(), s.absorbed_power.begin(), s.absorbed_power.end());
   token.sums.insert(token.sums.end(), s.escaping_power.begin(), s.escaping_power.end());
   return token;
@@ -93,8 +91,6 @@ IterationSums sums_from(const Token& token) {
   s.work.patches = sums.next_count();
   s.work.push_pulls = sums.next_count();
   s.work.shafts = sums.next_count();
-  s.work.bytes_read = sums.next_count();
-  s.work.bytes_written = sums.next_count();
   const auto bands = sums.rest();  // both have as many
   const auto half = bands.begin() + static_cast<std::ptrdiff_t>(bands.size() / 2);
   s.absorbed_power.assign(bands.begin(), half);

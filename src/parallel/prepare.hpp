@@ -30,10 +30,13 @@ struct Prepared {
   ClusterGraph graph;
   double prepare_s = 0.0;        ///< wall seconds that the preparation took
   double covered_area_m2 = 0.0;  ///< of surfaces covered by coplanar ones
+  Warnings warnings;             ///< what the scene gave rise to
 };
 
 /// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and
-/// drops whatever solution it held. Nothing is written where the scene is bad.
+/// drops whatever solution it held. Nothing is written where the scene is bad, nor into a directory
+/// that holds files of somebody else: InputError. `warnings` are those of reading the scene; what
+/// comes up here is added.
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
                  Warnings& warnings, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
@@ -44,9 +47,10 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
 
 /// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, and
 /// with this configuration, that is kept); then every rank has it. `scene_file` may be empty: RUN
-/// must be prepared then.
+/// must be prepared then. With `resume`, a RUN that has a solution of another scene is refused
+/// (InputError), not prepared anew. `warnings` become those of the scene, whenever it was prepared.
 Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
                          const std::string& run_directory, const PrepareConfig& config,
-                         Warnings& warnings, const Progress& progress = {});
+                         Warnings& warnings, const Progress& progress = {}, bool resume = false);
 
 }  // namespace enfilade

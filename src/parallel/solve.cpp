@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_statistics.hpp"
 #include "parallel/spmd.hpp"
@@ -37,14 +38,6 @@ std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis)
     bytes.push_back(256 + cluster.polygons.size() * (320 + 16 * values));
   }
   return bytes;
-}
-
-/// What a run goes on from: the manifest's history, or nothing.
-std::vector<IterationSummary> history_of(const std::optional<Manifest>& manifest) {
-  std::vector<IterationSummary> history;
-  if (!manifest) return history;
-  for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
-  return history;
 }
 
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,

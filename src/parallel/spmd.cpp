@@ -52,9 +52,9 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     return Verdict{next.finished ? -1.0 : history.back().sums.max_change, to_numbers(next),
                    correction.changes};
   };
-  const auto add_own = [&work](Token& token, const Token& own) {
+  const auto add_own = [&work, &config](Token& token, const Token& own) {
     fold(token, own);
-    token.coarse = work.merge(token.coarse, own.coarse);
+    if (config.coarse_correction) token.coarse = work.merge(token.coarse, own.coarse);
   };
 
   while (!plan.finished) {

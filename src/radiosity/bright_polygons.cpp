@@ -41,10 +41,11 @@ BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occ
   for (const ClusterState& c : clusters) {
     const PatchForest& f = c.patches();
     for (std::uint32_t k = 0; k < f.polygons(); ++k) {
-      if (top_radiosity(f, k) <= limit || limit <= 0.0) continue;
+      const double top = top_radiosity(f, k);
+      if (top <= limit || limit <= 0.0) continue;
       const std::uint32_t number = occluders.global(c.id(), k);
       is_bright_[number] = true;
-      bright_.push_back({number, &f, k, corners_of(f, k, f.node(k).shape)});
+      bright_.push_back({number, &f, k, corners_of(f, k, f.node(k).shape), top});
     }
   }
 }
@@ -83,14 +84,14 @@ void BrightPolygons::add_all(const Vec3& p, const Vec3& n, std::uint32_t own,
     const Bright& b = bright_[i];
     const PolygonFrame& frame = b.forest->frames()[b.k];
     if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
-    weight[i] = point_to_polygon(p, n, b.corners) * b.radiosity(0);
+    weight[i] = point_to_polygon(p, n, b.corners) * b.top;
     total += weight[i];
   }
   for (std::size_t i = 0; i < bright_.size(); ++i) {
     if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
     const Bright& b = bright_[i];
     const double factor =
-        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / b.radiosity(0), 0);
+        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / b.top, 0);
     for (std::size_t band = 0; band < irradiance.size(); ++band) {
       irradiance[band] += factor * b.radiosity(band);
     }
@@ -103,7 +104,7 @@ std::vector<double> BrightPolygons::weights_near(const Vec3& p) const {
   for (const Bright& b : bright_) {
     const PatchShape& shape = b.forest->node(b.k).shape;
     const Vec3 d = b.forest->frames()[b.k].at(shape.centroid) - p;
-    sum += top_radiosity(*b.forest, b.k) * shape.area_m2 / (glm::dot(d, d) + shape.area_m2);
+    sum += b.top * shape.area_m2 / (glm::dot(d, d) + shape.area_m2);
     sums.push_back(sum);
   }
   return sums;

@@ -34,6 +34,7 @@ class BrightPolygons {
     const PatchForest* forest;
     std::uint32_t k;
     Polygon corners;
+    double top;  // mean radiosity, worst band
     double radiosity(std::size_t band) const {
       return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
     }

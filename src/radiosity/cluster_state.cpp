@@ -90,6 +90,7 @@ class ClusterStateCodec {
     w.put_all(f.irradiance_);
     w.put_all(f.deviation_);
     w.put_all(f.exposure_);
+    w.put(f.exposed_to_);
     w.put_all(f.sealed_);
   }
 
@@ -108,6 +109,7 @@ class ClusterStateCodec {
     f.irradiance_ = r.get_all<double>();
     f.deviation_ = r.get_all<double>();
     f.exposure_ = r.get_all<float>();
+    f.exposed_to_ = r.get<std::uint32_t>();
     f.sealed_ = r.get_all<std::uint8_t>();
     if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
         f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||

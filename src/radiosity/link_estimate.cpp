@@ -265,7 +265,6 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   double left_over =
       0.5 * std::abs(bend) + 0.7 * std::abs(saddle) + 0.25 * rim * seen + missed * seen;
   if (terms == 1) left_over += 0.8 * std::hypot(slope1, slope2);
-  out.factor = mean;
   out.receiver_error = receiver.area_m2 * left_over;
   out.shooter_error = receiver.area_m2 * std::max(mean_factor, center) * v.within;
   if (seen <= 0.0) return out;
@@ -376,7 +375,6 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
         ray_open(x, occluders_->global(receiver.cluster, k), shooter, ray, random, nullptr) ? 1 : 0;
   }
   const double seen = open / 4.0;
-  out.factor = factor * seen;
   out.transport = {static_cast<float>(factor * seen), static_cast<float>(toward.x),
                    static_cast<float>(toward.y), static_cast<float>(toward.z)};
   out.receiver_error = facing_m2 * factor * (open == 0 ? 0.1 : 0.3);

@@ -45,7 +45,6 @@ struct LinkSide {
 struct LinkEstimate {
   std::array<float, 9>
       transport{};              ///< receiver term by shooter term; group receiver: {E, direction}
-  double factor = 0.0;          ///< mean form factor times visibility
   double receiver_error = 0.0;  ///< from what varies over the receiver
   double shooter_error = 0.0;   ///< from visibility that varies over the shooter
   double variation = 0.0;       ///< per unit of the shooter's variation

@@ -115,6 +115,9 @@ class PatchForest {
   /// negative = not looked at yet.
   float exposure(std::size_t node) const { return exposure_[node]; }
   void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
+  /// Forgets the exposures where they were measured with another number of lit polygons in view,
+  /// give or take one in 256.
+  void expose_to(std::uint32_t lit_polygons);
   /// No ray from the polygon ended on a front side, as inside a wall.
   bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
   void seal(std::size_t polygon) { sealed_[polygon] = 1; }
@@ -134,8 +137,8 @@ class PatchForest {
   /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
   /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
-  /// Adds these shares (per band) of each polygon's mean irradiance evenly all over the polygon,
-  /// and what is reflected of that to the radiosity.
+  /// Adds these shares (per band) of each polygon's mean irradiance evenly all over the polygon, or
+  /// takes them from each node where they are negative; and what is reflected of that.
   void add_share(std::span<const double> shares);
   /// The leaf of a polygon that point p of its plane lies in.
   std::size_t leaf_at(std::size_t polygon, const Vec3& p) const;
@@ -166,6 +169,7 @@ class PatchForest {
   std::vector<double> radiosity_, irradiance_, deviation_;
   std::vector<double> group_radiosity_, group_spread_;
   std::vector<float> exposure_;
+  std::uint32_t exposed_to_ = 0;  ///< lit polygons in view when the exposures were measured
   std::vector<std::uint8_t> sealed_;
 };
 

@@ -231,19 +231,29 @@ void PatchForest::pull_groups() {
   }
 }
 
+void PatchForest::expose_to(std::uint32_t lit_polygons) {
+  const std::uint32_t difference =
+      std::max(exposed_to_, lit_polygons) - std::min(exposed_to_, lit_polygons);
+  if (difference <= exposed_to_ / 256) return;
+  exposed_to_ = lit_polygons;
+  std::fill(exposure_.begin(), exposure_.end(), -1.0f);
+}
+
 void PatchForest::add_share(std::span<const double> shares) {
   const auto bands = static_cast<std::size_t>(bands_), terms = static_cast<std::size_t>(terms_);
-  std::vector<double> add(polygons() * bands);
+  std::vector<double> means(polygons() * bands);
   for (std::size_t k = 0; k < polygons(); ++k) {
-    for (std::size_t b = 0; b < bands; ++b) {
-      add[k * bands + b] = shares[b] * irradiance(k)[b * terms];
-    }
+    for (std::size_t b = 0; b < bands; ++b) means[k * bands + b] = irradiance(k)[b * terms];
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::uint32_t k = nodes_[i].id.root;
     for (std::size_t b = 0; b < bands; ++b) {
-      irradiance(i)[b * terms] += add[k * bands + b];
-      radiosity(i)[b * terms] += frames_[k].reflectance[b] * add[k * bands + b];
+      for (std::size_t t = 0; t < (shares[b] < 0.0 ? terms : 1); ++t) {
+        double& e = irradiance(i)[b * terms + t];
+        const double change = shares[b] * (shares[b] < 0.0 ? e : means[k * bands + b]);
+        e += change;
+        radiosity(i)[b * terms + t] += frames_[k].reflectance[b] * change;
+      }
     }
   }
   pull_groups();

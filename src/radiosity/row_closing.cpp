@@ -15,7 +15,12 @@ void RowClosing::see(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
   std::vector<bool>& lit = lit_[shooter.id()];
   lit.resize(patches.polygons());
-  for (std::size_t k = 0; k < lit.size(); ++k) lit[k] = patches.radiosity(k)[0] > 0.0;
+  for (std::size_t k = 0; k < lit.size(); ++k) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (patches.radiosity(k)[b * terms_] > 0.0) lit[k] = true;
+    }
+    if (lit[k]) ++lit_in_view_;
+  }
 }
 
 void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light) {
@@ -36,7 +41,8 @@ void RowClosing::add(const Link& link, std::span<const float> transport,
       const std::uint32_t k = patches.order()[j];
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
-      if (cosine > 0.0) add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light);
+      if (cosine > 0.0 && !patches.sealed(k))
+        add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light);
     }
     return;
   }
@@ -58,6 +64,7 @@ std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluder
     const auto seen = lit_.find(polygon.cluster);
     return seen != lit_.end() && seen->second[polygon.polygon];
   };
+  patches.expose_to(lit_in_view_);
   std::vector<char> open(patches.polygons(), 0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);

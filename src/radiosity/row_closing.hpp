@@ -37,6 +37,7 @@ class RowClosing {
   /// it.
   std::vector<double> rows_;
   std::map<ClusterId, std::vector<bool>> lit_;
+  std::uint32_t lit_in_view_ = 0;  ///< polygons
 };
 
 }  // namespace enfilade

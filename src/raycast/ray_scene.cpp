@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -66,6 +67,8 @@ struct RayScene::Impl {
   }
 
   void build(std::span<const Polygon> polygons);
+  RayHit closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip, double near_m,
+                 double far_m) const;
 };
 
 void RayScene::Impl::build(std::span<const Polygon> polygons) {
@@ -141,21 +144,32 @@ bool RayScene::occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a,
   return ray.tfar < 0.0f;
 }
 
+RayHit RayScene::Impl::closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip,
+                               double near_m, double far_m) const {
+  RTCRayHit query{};
+  query.ray = ray(from, unit_direction, near_m, far_m);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  SkipContext skipping = context(skip, skip);
+  rtcIntersect1(scene, &skipping.embree, &query);
+  RayHit hit;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  hit.polygon = polygon_of_triangle[query.hit.primID];
+  hit.distance_m = query.ray.tfar;
+  hit.front = glm::dot(unit_direction, normals[hit.polygon]) < 0.0;
+  return hit;
+}
+
 RayHit RayScene::closest(const Vec3& from, const Vec3& direction, std::uint32_t skip,
                          double max_distance_m) const {
   const Vec3 d = glm::normalize(direction);
-  RTCRayHit query{};
-  query.ray = impl_->ray(from, d, impl_->epsilon, max_distance_m);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  SkipContext context = impl_->context(skip, skip);
-  rtcIntersect1(impl_->scene, &context.embree, &query);
-  RayHit hit;
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.polygon = impl_->polygon_of_triangle[query.hit.primID];
-  hit.distance_m = query.ray.tfar;
-  hit.front = glm::dot(d, impl_->normals[hit.polygon]) < 0.0;
-  return hit;
+  const double epsilon = impl_->epsilon;
+  const RayHit hit = impl_->closest(from, d, skip, epsilon, max_distance_m);
+  if (!hit.any() || hit.front) return hit;
+  // A wall without thickness is two polygons in one place; the ray meets the one that faces it.
+  RayHit twin = impl_->closest(from, d, hit.polygon, std::max(epsilon, hit.distance_m - epsilon),
+                               hit.distance_m + epsilon);
+  return twin.any() && twin.front && twin.polygon != skip ? twin : hit;
 }
 
 double RayScene::epsilon_m() const { return impl_->epsilon; }

@@ -35,7 +35,7 @@ class RayScene {
   bool occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a = no_polygon,
                 std::uint32_t skip_b = no_polygon) const;
   /// First hit from `from` along `direction` (any length), beyond `epsilon_m()`, skipping polygon
-  /// `skip`.
+  /// `skip`. Of polygons in one place, one that shows its front.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30) const;
   /// Rays are blind this close to their ends: about the single-precision step at the scene's

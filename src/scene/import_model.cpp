@@ -1,4 +1,5 @@
-// Models of other programs, through Assimp: glTF 2.0, OBJ with MTL, IFC.
+// Models of other programs, through Assimp: glTF 2.0, OBJ with MTL, IFC. Radiance files have a
+// reader of their own.
 //
 // Emission: glTF's emissiveFactor times KHR_materials_emissive_strength is a luminance in cd/m2,
 // and a diffuse surface of luminance L has an exitance of pi L in lm/m2. OBJ's Ke is taken the same
@@ -22,6 +23,7 @@
 #include "scene/convex_merge.hpp"
 #include "scene/emissive_strength.hpp"
 #include "scene/json_text.hpp"
+#include "scene/radiance_import.hpp"
 #include "scene/scene_io.hpp"
 
 namespace enfilade {
@@ -264,8 +266,9 @@ Scene import_model(const std::string& path, Warnings& warnings) {
   for (const char* known : {".gltf", ".glb", ".obj", ".ifc"}) {
     if (extension == known) return ModelReader(path, warnings).read();
   }
+  if (extension == ".rad") return import_radiance(path, warnings);
   throw InputError(path, "file", "is of no kind that can be imported (\"" + extension + "\")",
-                   "give a .gltf, .glb, .obj or .ifc file");
+                   "give a .gltf, .glb, .obj, .ifc or .rad file");
 }
 
 }  // namespace enfilade

@@ -24,6 +24,19 @@ std::string with_area(std::string where, double area_m2) {
   return where + text;
 }
 
+/// Farther out, lengths and areas lose their digits, and at last overflow.
+constexpr double farthest_m = 1e9;
+
+void refuse_far(const Scene& scene) {
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    for (const Vec3& p : scene.surfaces[s].vertices) {
+      if (glm::all(glm::lessThanEqual(glm::abs(p), Vec3(farthest_m)))) continue;
+      throw InputError(scene.file, label(scene, SurfaceId(s)) + ".vertices",
+                       "a vertex lies beyond 1e9 m", "check the numbers and the unit of length");
+    }
+  }
+}
+
 // Parts of one surface, with whatever there is to say about its shape.
 std::vector<Polygon> parts_of(const Scene& scene, SurfaceId id, const SceneScale& scale,
                               Warnings& warnings, PieceReport& report) {
@@ -81,6 +94,7 @@ void warn_covered(const Scene& scene, const std::vector<Piece>& before, const Co
 }  // namespace
 
 std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings, PieceReport* report) {
+  refuse_far(scene);
   const SceneScale scale(scene);
   PieceReport counts;
   std::vector<Piece> pieces;
@@ -90,6 +104,10 @@ std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings, PieceRepo
     for (const Polygon& part : parts) pieces.push_back({id, part});
     if (!scene.surfaces[s].two_sided) continue;
     for (const Polygon& part : parts) pieces.push_back({id, Polygon(part.rbegin(), part.rend())});
+  }
+  if (pieces.empty()) {
+    throw InputError(scene.file, "surfaces", "none has an area to speak of",
+                     "check the vertices and the unit of length");
   }
   const std::vector<Piece> before = pieces;
   const Covered covered = cut_covered(pieces, scene, scale);

@@ -20,6 +20,8 @@ void write_probe_answers(const std::string& source_path, const std::string& path
   // Where the probes came with a scene, its geometry is no part of the answer.
   document.erase("surfaces");
   document.erase("lights");
+  // All light in the answer is in the unit of the run.
+  if (document.contains("exitanceUnits")) document["exitanceUnits"] = name_of(unit);
   document["from"] = from;
   document["unit"] = irradiance_label(unit);
   nlohmann::ordered_json& probes = document["probes"];

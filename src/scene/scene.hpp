@@ -50,6 +50,7 @@ struct Scene {
   std::vector<PointLight> lights;
   std::vector<Probe> probes;
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
+  std::string text;        ///< the very bytes that were hashed, of a file in our own format
 };
 
 /// A convex planar part of a surface. A surface gives one piece, or several where it was split,
@@ -71,7 +72,8 @@ struct PieceReport {
 /// front, else the later one). Each of these adds a warning that names the surfaces, and so does a
 /// surface that seems to face the wrong way. Coplanar surfaces that face opposite ways are both
 /// kept whole (scene/coplanar.hpp says why). The pieces of one surface follow each other, in the
-/// order of the file. Throws InputError for a self-intersecting polygon.
+/// order of the file. Throws InputError for a self-intersecting polygon, for a vertex beyond 1e9 m,
+/// and where no piece is left.
 std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings,
                                PieceReport* report = nullptr);
 

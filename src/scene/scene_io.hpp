@@ -21,7 +21,8 @@ Scene import_model(const std::string& path, Warnings& warnings);
 /// Reads {"probes": [{"p", "n"}, ...]}; a scene file with probes will do as well.
 std::vector<Probe> read_probes(const std::string& path);
 /// Writes the probes of `source_path` with "E" (per band) added to each, and "from" and "unit"
-/// beside them. All other keys of that file are kept, but a scene's surfaces and lights.
+/// beside them. All other keys of that file are kept, but a scene's surfaces and lights;
+/// "exitanceUnits", where it is there, becomes the unit's name.
 void write_probe_answers(const std::string& source_path, const std::string& path,
                          const std::vector<Spectrum>& irradiance, const std::string& from,
                          ExitanceUnit unit);

@@ -19,7 +19,7 @@ class SceneReader {
  public:
   SceneReader(const std::string& path, Warnings& warnings) : keys_(path), warnings_(warnings) {}
 
-  Scene read(const std::string& text) {
+  Scene read(std::string text) {
     const json document = parse_json(text, keys_.file());
     scene_.file = keys_.file();
     scene_.hash = XXH64(text.data(), text.size(), 0);
@@ -33,6 +33,7 @@ class SceneReader {
     scene_.probes = keys_.probes(document, scale_, &unknown_);
     broadcast();
     warn();
+    scene_.text = std::move(text);
     return std::move(scene_);
   }
 
@@ -186,7 +187,8 @@ Scene read_scene(const std::string& path, Warnings& warnings) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".ifc") {
+  if (extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".ifc" ||
+      extension == ".rad") {
     return import_model(path, warnings);
   }
   return SceneReader(path, warnings).read(read_bytes(path));

@@ -18,7 +18,8 @@ using nlohmann::ordered_json;
 ordered_json list_of(const Vec3& p) { return ordered_json::array({p.x, p.y, p.z}); }
 
 [[noreturn]] void fail_to_write(const std::string& path) {
-  throw RunError(path + ": cannot be written: " + std::strerror(errno));
+  throw RunError(path + ": cannot be written: " + std::strerror(errno) +
+                 "; see to the directory and its permissions, or name another file");
 }
 
 std::string surface_line(const Surface& surface) {

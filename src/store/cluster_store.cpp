@@ -1,5 +1,7 @@
 #include "store/cluster_store.hpp"
 
+#include <filesystem>
+
 #include "store/posix_file.hpp"
 
 namespace enfilade {
@@ -12,6 +14,12 @@ ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clust
       links_slot_(clusters, Slot::a) {
   remove_directory(local_directory_);  // what a run that died has left there was never committed
   make_directory(local_directory_);
+}
+
+ClusterStore::~ClusterStore() {
+  std::error_code ignored;  // what cannot be removed is in nobody's way
+  std::filesystem::remove_all(local_directory_, ignored);
+  std::filesystem::remove(layout_.local, ignored);  // once the last rank's is gone
 }
 
 SectionFile ClusterStore::read(Disk disk, const std::string& path, ClusterId id, Section section) {

@@ -24,8 +24,11 @@ struct StoreCount {
 /// moment leaves k-1 whole.
 class ClusterStore {
  public:
-  /// Makes the rank's local directory, empty.
+  /// Makes the rank's local directory, empty; it goes with the store.
   ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
+  ~ClusterStore();
+  ClusterStore(const ClusterStore&) = delete;
+  ClusterStore& operator=(const ClusterStore&) = delete;
 
   /// Writes a cluster as the state before the first iteration, straight into the common directory.
   /// That is the end of the preparation, not part of the run: it is neither charged nor counted.

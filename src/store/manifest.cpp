@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/hash_text.hpp"
 #include "store/posix_file.hpp"
 
 namespace enfilade {
@@ -37,7 +38,7 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.iteration = json.at("iteration");
     m.clusters = json.at("clusters");
     m.basis = json.at("basis") == "linear" ? Basis::linear : Basis::constant;
-    m.scene_hash = std::stoull(json.at("scene_hash").get<std::string>(), nullptr, 16);
+    m.scene_hash = hash_from_text(json.at("scene_hash").get<std::string>());
     m.finished = json.at("finished");
     m.history = json.at("history").get<std::vector<std::vector<double>>>();
     m.correction = json.at("correction").get<std::vector<double>>();
@@ -51,8 +52,6 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
 }
 
 void commit_manifest(const RunLayout& layout, const Manifest& m) {
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(m.scene_hash));
   std::vector<std::vector<double>> history;
   for (const auto& numbers : m.history) history.push_back(finite(numbers));
   const nlohmann::ordered_json json = {{"format", "enfilade-manifest"},
@@ -60,7 +59,7 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
                                        {"iteration", m.iteration},
                                        {"clusters", m.clusters},
                                        {"basis", m.basis == Basis::linear ? "linear" : "constant"},
-                                       {"scene_hash", hash},
+                                       {"scene_hash", hash_text(m.scene_hash)},
                                        {"finished", m.finished},
                                        {"history", history},
                                        {"correction", finite(m.correction)},

@@ -26,7 +26,7 @@ void replace_file(const std::string& path, const std::string& text);
 void flush_to_disk(const std::string& directory);
 /// Creates a directory and its parents. Throws RunError.
 void make_directory(const std::string& path);
-/// Removes a directory and all in it, where it exists.
+/// Removes a directory and all in it, or a file, where it exists. Throws RunError.
 void remove_directory(const std::string& path);
 
 }  // namespace enfilade

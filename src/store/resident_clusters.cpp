@@ -50,12 +50,12 @@ void ResidentClusters::measure(Entry& entry) {
     shooter.bytes = entry.state->memory_bytes();
     shooter.bytes -= std::min(shooter.bytes, links.bytes);
     entry.shooter_bytes = machine_.record_bytes(shooter);
-    if (entry.previous) {
-      RecordCount previous = shooter_record(*entry.previous);
-      previous.bytes = entry.previous->memory_bytes();
-      entry.shooter_bytes += machine_.record_bytes(previous);
-    }
     entry.links_bytes = machine_.record_bytes(links);
+  }
+  if (entry.previous) {
+    RecordCount previous = shooter_record(*entry.previous);
+    previous.bytes = entry.previous->memory_bytes();
+    entry.shooter_bytes += machine_.record_bytes(previous);
   }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
   count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
@@ -112,6 +112,7 @@ void ResidentClusters::set_committed_only(bool committed_only) {
     entry.previous.reset();
     measure(entry);
   }
+  std::erase_if(entries_, [](const auto& entry) { return !entry.second.state; });
 }
 
 /// The cluster as it was before this rank gathered for it in this iteration.
@@ -122,7 +123,6 @@ const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
     entry.previous = std::make_unique<ClusterState>(
         geometry, store_.read_committed_patches(id).bytes, std::span<const std::byte>());
     if (correction_) correction_(*entry.previous);
-    if (!entry.state) load(id, entry);
     measure(entry);
   }
   return *entry.previous;

@@ -1,7 +1,9 @@
 // Where things lie in a RUN directory. A cluster is the number in the name of its files (§3.3).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "base/ids.hpp"
@@ -17,11 +19,17 @@ inline Slot other(Slot slot) { return slot == Slot::a ? Slot::b : Slot::a; }
 
 struct RunLayout {
   std::string run;    ///< RUN
-  std::string local;  ///< parent of the ranks' local directories; RUN/local unless told
+  std::string local;  ///< parent of the ranks' local directories
 
-  explicit RunLayout(std::string run_directory, std::string local_directory = {})
-      : run(std::move(run_directory)),
-        local(local_directory.empty() ? run + "/local" : std::move(local_directory)) {}
+  /// `local_directory`: where the local directories of runs go, each under its RUN's full name with
+  /// % for /; none: into RUN/local.
+  explicit RunLayout(std::string run_directory, const std::string& local_directory = {})
+      : run(std::move(run_directory)), local(run + "/local") {
+    if (local_directory.empty()) return;
+    std::string name = std::filesystem::weakly_canonical(run).string();
+    std::replace(name.begin(), name.end(), '/', '%');
+    local = local_directory + "/" + name;
+  }
 
   std::string common() const { return run + "/common"; }
   std::string local_of(Rank rank) const { return local + "/rank-" + std::to_string(rank.value); }

@@ -32,6 +32,7 @@ void linear_system(Context& context);
 void failing_rank(Context& context);
 void failing_root(Context& context);
 void solve_rooms(Context& context);
+void solve_rooms_as_in_the_paper(Context& context);
 void solve_in_little_memory(Context& context);
 
 }  // namespace enfilade::spmd_tests

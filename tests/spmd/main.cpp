@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
       {"failing_rank", failing_rank},
       {"failing_root", failing_root},
       {"solve_rooms", solve_rooms},
+      {"solve_rooms_as_in_the_paper", solve_rooms_as_in_the_paper},
       {"solve_in_little_memory", solve_in_little_memory}};
   try {
     if (argc < 3) throw std::runtime_error("usage: spmd_tests NAME DIRECTORY [--resume]");
@@ -31,6 +32,8 @@ int main(int argc, char** argv) {
     return failure.exit_status();
   } catch (const std::exception& error) {
     std::cerr << "rank " << communicator.rank().value << ": " << error.what() << std::endl;
+    // Bad input that the root found the others know of already (Communicator::on_root).
+    if (communicator.root() && exit_status_of(error) == 2) return 2;
     communicator.abort(exit_status_of(error), machine->simulated());
   }
   return 0;

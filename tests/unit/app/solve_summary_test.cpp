@@ -28,6 +28,20 @@ TEST(SolveSummary, SaysWhetherTheAskedErrorWasReached) {
   EXPECT_THAT(solve_summary("run", record), testing::HasSubstr("gave up"));
 }
 
+TEST(SolveSummary, AShortfallIsToldWithItsRemedy) {
+  RunRecord record;
+  record.set("iterations", 7);
+  record.set("estimated_error", 0.31);
+  record.set("target_error", 0.02);
+  record.set("converged", RunRecord::Value(true));
+  EXPECT_TRUE(shortfall_of("run", record, 7).empty());
+  record.set("converged", RunRecord::Value(false));
+  const auto told = [&](int most) { return shortfall_of("run", record, most).summary().at(0); };
+  EXPECT_THAT(told(7), testing::AllOf(testing::HasSubstr("7 iterations: estimated error 31%"),
+                                      testing::HasSubstr("--max-iterations")));
+  EXPECT_THAT(told(8), testing::HasSubstr("--target-error"));
+}
+
 TEST(SolveProgress, RunsFromTheFirstErrorToTheAskedOne) {
   std::vector<double> fractions;
   SolveProgress progress(0.01, [&](std::string_view, double f) { fractions.push_back(f); });

@@ -42,7 +42,7 @@ std::string message_for(const std::string& path) {
 
 TEST(CostModel, DefaultsAreThoseOfTheShippedFile) {
   const CostModel file = read_cost_model(shipped), built;
-  WorkCount one_of_each{1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  WorkCount one_of_each{1, 1, 1, 1, 1, 1, 1, 1};
   EXPECT_DOUBLE_EQ(price_flops(file, one_of_each), price_flops(built, one_of_each));
   EXPECT_DOUBLE_EQ(file.flops.ray, built.flops.ray);
   EXPECT_DOUBLE_EQ(file.disk.seek_s, built.disk.seek_s);
@@ -86,6 +86,17 @@ TEST(ParseBytes, TakesSuffixesAndRefusesTheRest) {
   for (const char* bad : {"", "M", "-1", "12Q", "1e30G", "nan"}) {
     EXPECT_THROW(parse_bytes(bad, "f", "w"), InputError) << bad;
   }
+}
+
+TEST(CostModel, AFormatOfAnotherKindAndNumbersBeyondAllBoundsAreRefusedByName) {
+  EXPECT_NE(message_for(altered("\"enfilade-cost-model\"", "3")).find("format: "),
+            std::string::npos);
+  EXPECT_NE(message_for(altered("\"version\": 1", "\"version\": []")).find("format: "),
+            std::string::npos);
+  EXPECT_NE(message_for(altered("\"ray\": 3000", "\"ray\": 1e999")).find("too large"),
+            std::string::npos);
+  EXPECT_NE(message_for(altered("\"ray\": 3000", "\"ray\": 1e30")).find("flops.ray"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -31,5 +31,25 @@ TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
   std::filesystem::remove_all(run);
 }
 
+TEST(Prepare, TheSceneThatWasReadIsTheOneThatIsKept) {
+  const std::string run = testing::TempDir() + "/enfilade-prepare-keeps", file = run + ".json";
+  std::filesystem::remove_all(run);
+  std::filesystem::copy_file(std::string(ENFILADE_TEST_DATA) + "/scene/slivers.json", file,
+                             std::filesystem::copy_options::overwrite_existing);
+  Warnings warnings, again;
+  const Scene scene = read_scene(file, warnings);
+  write_file_atomically(file, "overwritten meanwhile");
+  const Prepared made = prepare(scene, run, {}, warnings);
+  EXPECT_EQ(read_scene(run + "/scene.json", again).hash, scene.hash);
+
+  // What was said of the scene is said of its run whenever that is loaded.
+  const Prepared loaded = load_prepared(run);
+  EXPECT_FALSE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.warnings.summary(100), warnings.summary(100));
+  EXPECT_EQ(made.warnings.summary(100), warnings.summary(100));
+  std::filesystem::remove_all(run);
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -115,7 +115,7 @@ TEST(ImportModel, WhatCannotBeImportedIsAClearError) {
   const auto fault = [&](const std::string& name, const std::string& text) {
     return input_error([&] { import_model(folder.write(name, text), warnings); });
   };
-  EXPECT_THAT(fault("a.rad", "x"), HasSubstr("is of no kind that can be imported"));
+  EXPECT_THAT(fault("a.skp", "x"), HasSubstr("is of no kind that can be imported"));
   EXPECT_THAT(fault("a.glb", "glTF rubbish"), HasSubstr("cannot be imported"));
   EXPECT_THAT(fault("a.gltf", "{}"), HasSubstr("a.gltf: "));
   EXPECT_THAT(fault("a.obj", ""), HasSubstr("is empty"));

@@ -162,6 +162,15 @@ TEST(MakePieces, SliversAndPointsAreDroppedByName) {
     EXPECT_THAT(made.warnings, HasSubstr(name));
 }
 
+TEST(MakePieces, FarVerticesAndScenesOfNothingAreRefused) {
+  Scene scene = make_file("slivers.json").scene;
+  const auto fault = [&] { return input_error([&] { make(scene); }); };
+  scene.surfaces[3].vertices[1].y = 1.1e9;
+  EXPECT_THAT(fault(), HasSubstr("surfaces[3] \"" + scene.surfaces[3].name + "\".vertices"));
+  for (Surface& s : scene.surfaces) s.vertices.assign(3, Vec3(1.0));
+  EXPECT_THAT(fault(), HasSubstr("surfaces: none has an area"));
+}
+
 TEST(MakePieces, LiftedCornerIsSplitIntoPlanarParts) {
   const Made made = make_file("nonplanar_quad.json");
   EXPECT_EQ(made.pieces.size(), 12u);

@@ -1,0 +1,20 @@
+// The committed iterations of a run, as its manifest has them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "parallel/iteration_plan.hpp"
+#include "store/manifest.hpp"
+
+namespace enfilade {
+
+/// Those from before a crash included; none where nothing is committed.
+inline std::vector<IterationSummary> history_of(const std::optional<Manifest>& manifest) {
+  std::vector<IterationSummary> history;
+  if (!manifest) return history;
+  for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
+  return history;
+}
+
+}  // namespace enfilade
