@@ -38,9 +38,7 @@ int Session::fail(const std::exception& error) {
   if (dynamic_cast<const PeerFailure*>(&error) != nullptr) return status;
   // The rank that fails is the one that knows what to say, whether or not it speaks otherwise.
   Console(true).error(error.what());
-  // Bad input is found by the root on behalf of all (Communicator::on_root), who leave with it.
-  const bool others_know = root() && status == 2;
-  if (communicator_ && communicator_->size() > 1 && !others_know)
+  if (communicator_ && communicator_->size() > 1 && !communicator_->others_know())
     communicator_->abort(status, machine().simulated());
   return status;
 }

@@ -195,6 +195,7 @@ void Communicator::on_root(const std::function<void()>& work) {
     }
   }
   check(MPI_Bcast(&status, 1, MPI_INT, 0, impl_->comm), "MPI_Bcast");
+  others_know_ = status != 0;
   if (failure) std::rethrow_exception(failure);
   if (status != 0) throw PeerFailure(status);
 }

@@ -75,6 +75,8 @@ class Communicator {
   /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error
   /// and all others throw PeerFailure, so that one line is printed and all leave in order.
   void on_root(const std::function<void()>& work);
+  /// Work of on_root() failed, so that every rank is on its way out and none need be aborted.
+  bool others_know() const { return others_know_; }
 
   /// Ends all ranks of the run at once with this exit status, from any of them.
   [[noreturn]] void abort(int exit_status, bool simulated);
@@ -82,6 +84,7 @@ class Communicator {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  bool others_know_ = false;
 };
 
 }  // namespace enfilade

@@ -32,8 +32,7 @@ int main(int argc, char** argv) {
     return failure.exit_status();
   } catch (const std::exception& error) {
     std::cerr << "rank " << communicator.rank().value << ": " << error.what() << std::endl;
-    // Bad input that the root found the others know of already (Communicator::on_root).
-    if (communicator.root() && exit_status_of(error) == 2) return 2;
+    if (communicator.others_know()) return exit_status_of(error);
     communicator.abort(exit_status_of(error), machine->simulated());
   }
   return 0;
