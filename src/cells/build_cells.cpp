@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cells/apertures.hpp"
 #include "cells/bsp.hpp"
 #include "cells/cell_complex.hpp"
 #include "cells/interface.hpp"
@@ -153,7 +154,8 @@ CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config
   const Region outer_box = box_region(points, frame, 1e-3 * diagonal);
   const BspTree tree = build_bsp(pieces, planes, outer_box, config, tolerance_m);
   const double sliver_m = 0.01 * tolerance_m;
-  const std::vector<LeafInterface> interfaces = find_interfaces(tree, sliver_m);
+  std::vector<LeafInterface> interfaces = find_interfaces(tree, sliver_m);
+  frame_apertures(interfaces, tree, tolerance_m);
 
   std::vector<double> volumes;
   for (const Region& leaf : tree.leaves) volumes.push_back(volume_m3(leaf));

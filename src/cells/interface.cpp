@@ -80,7 +80,8 @@ double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& 
 std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m) {
   std::vector<LeafInterface> all;
   const double fine = 1e-3 * sliver_m;
-  for (const BspCut& cut : tree.cuts) {
+  for (std::uint32_t number = 0; number < tree.cuts.size(); ++number) {
+    const BspCut& cut = tree.cuts[number];
     const BspNode& node = tree.nodes[static_cast<std::size_t>(cut.node)];
     for (auto& [front_leaf, on_front] : push_to_leaves(tree, node.front, cut.section, fine)) {
       for (auto& [back_leaf, common] : push_to_leaves(tree, node.back, std::move(on_front), fine)) {
@@ -90,6 +91,7 @@ std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m)
         face.front_leaf = front_leaf;
         face.back_leaf = back_leaf;
         face.plane = cut.plane;
+        face.cut = number;
         face.n = node.plane.n;
         const Box box = bounds(common);
         std::vector<const InPlane*> near;

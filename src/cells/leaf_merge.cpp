@@ -16,7 +16,7 @@ constexpr double solid_ratio = 4.0;
 using PlaneSide = std::uint32_t;
 
 struct Contact {
-  double area = 0.0, open = 0.0;
+  double area = 0.0, open = 0.0, framed = 0.0;
 };
 
 // Leaves that belong together so far. A contact is filed under the plane side that this group is
@@ -123,6 +123,7 @@ class Merger {
       Contact& contact = groups_[g].contacts[h][side];
       contact.area += face.area_m2;
       contact.open += face.open_m2;
+      contact.framed += face.framed_m2;
     };
     meet(a, b, in_front);
     meet(b, a, behind);
@@ -169,9 +170,11 @@ class Merger {
         Contact& mine = to.contacts[other][side];
         mine.area += contact.area;
         mine.open += contact.open;
+        mine.framed += contact.framed;
         Contact& theirs = there[g][side ^ 1u];
         theirs.area += contact.area;
         theirs.open += contact.open;
+        theirs.framed += contact.framed;
       }
       there.erase(h);
     }
@@ -197,19 +200,22 @@ class Merger {
   double score(std::uint32_t a, std::uint32_t b) const {
     const Group& g = groups_[a];
     const Group& h = groups_[b];
-    double open = 0.0, g_face = 0.0, h_face = 0.0;
+    double open = 0.0, framed = 0.0, g_face = 0.0, h_face = 0.0;
     for (const auto& [side, contact] : g.contacts.at(b)) {
       open += contact.open;
+      framed += contact.framed;
       g_face += g.faces.at(side);
       h_face += h.faces.at(side ^ 1u);
     }
-    return share(open, g_face, h_face, g, h);
+    return share(open, framed, g_face, h_face, g, h);
   }
 
-  double share(double open, double g_face, double h_face, const Group& g, const Group& h) const {
+  double share(double open, double framed, double g_face, double h_face, const Group& g,
+               const Group& h) const {
     if (open <= 0.0 || g_face <= 0.0 || h_face <= 0.0) return 0.0;
     const double mean = open / std::sqrt(g_face * h_face);
-    if (mean >= config_.open_share) return std::min(mean, 1.0);
+    const bool door = framed >= config_.framed_share * open;
+    if (mean >= config_.open_share && !door) return std::min(mean, 1.0);
     const bool g_is_smaller = g.volume < h.volume;
     const Group& nook = g_is_smaller ? g : h;
     const double own = open / (g_is_smaller ? g_face : h_face);
@@ -240,15 +246,16 @@ class Merger {
                          std::vector<Candidate>& out) const {
     struct Side {
       std::uint32_t group;
-      double open, face;
+      double open, framed, face;
     };
     std::vector<Side> sides;
     for (const auto& [other, contacts] : groups_[c].contacts) {
       if (other == outside_group || thin[other] || disagree(groups_[other], groups_[c])) continue;
-      Side side{other, 0.0, 0.0};
+      Side side{other, 0.0, 0.0, 0.0};
       for (const auto& [plane_side, contact] : contacts) {
         if (contact.open <= 0.0) continue;
         side.open += contact.open;
+        side.framed += contact.framed;
         side.face += groups_[other].faces.at(plane_side ^ 1u);
       }
       if (side.open > 0.0) sides.push_back(side);
@@ -259,7 +266,9 @@ class Merger {
         const Group& h = groups_[sides[j].group];
         if (disagree(g, h)) continue;
         const double open = std::min(sides[i].open, sides[j].open);
-        const double s = share(open, sides[i].face, sides[j].face, g, h);
+        const double framed =
+            0.5 * open * (sides[i].framed / sides[i].open + sides[j].framed / sides[j].open);
+        const double s = share(open, framed, sides[i].face, sides[j].face, g, h);
         if (s > 0.0) out.push_back({s, sides[i].group, sides[j].group, c});
       }
     }

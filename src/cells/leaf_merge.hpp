@@ -16,6 +16,9 @@ struct MergeConfig {
   /// more than a door leaves of any wall, less than a partition of half height or the joint of an
   /// L.
   double open_share = 0.5;
+  /// An opening of whose rim this share lies in a wall is a door, wherever it is the whole face of
+  /// what was merged so far.
+  double framed_share = 0.45;
   /// A nook is open over nearly all of its face...
   double nook_open_share = 0.85;
   /// ... and not deeper than this many times the opening's width (an open corridor is).
