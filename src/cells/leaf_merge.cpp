@@ -93,15 +93,16 @@ class Merger {
 
   LeafGroups result() {
     LeafGroups out;
+    const std::vector<char> is_room = find_rooms();
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::uint32_t leaf = 1; leaf < parent_.size(); ++leaf) {
       const std::uint32_t group = find(leaf);
       const auto [at, is_new] =
           number.try_emplace(group, static_cast<std::uint32_t>(out.kinds.size()));
       if (is_new) {
-        out.kinds.push_back(group == outside_group      ? CellKind::outside
-                            : groups_[group].is_solid() ? CellKind::solid
-                                                        : CellKind::room);
+        out.kinds.push_back(group == outside_group ? CellKind::outside
+                            : is_room[group]       ? CellKind::room
+                                                   : CellKind::solid);
       }
       out.group_of_leaf.push_back(at->second);
     }
@@ -194,6 +195,68 @@ class Merger {
 
   bool disagree(const Group& g, const Group& h) const {
     return g.has_evidence() && h.has_evidence() && g.is_solid() != h.is_solid();
+  }
+
+  // Mean chord of a region, after Cauchy.
+  static double chord(const Group& g) {
+    const double boundary = g.boundary();
+    return boundary > 0.0 ? 4.0 * g.volume / boundary : 0.0;
+  }
+
+  static double volume(const Group& g) { return g.volume; }
+
+  // What half of the volume of all that is no solid has at least, of chord or of volume.
+  double typical(double (*measure)(const Group&)) const {
+    std::vector<std::pair<double, double>> by_measure;  // and volume
+    double total = 0.0;
+    for (std::uint32_t i = 1; i < groups_.size(); ++i) {
+      if (!alive(i) || groups_[i].is_solid()) continue;
+      by_measure.emplace_back(measure(groups_[i]), groups_[i].volume);
+      total += groups_[i].volume;
+    }
+    std::sort(by_measure.begin(), by_measure.end());
+    double sum = 0.0;
+    for (const auto& [value, share] : by_measure) {
+      sum += share;
+      if (2.0 * sum >= total) return value;
+    }
+    return 0.0;
+  }
+
+  // Has the group a door to what is known as a room (or the outside)?
+  bool has_door(const Group& g, const std::vector<char>& is_room) const {
+    std::map<PlaneSide, double> open;
+    for (const auto& [other, sides] : g.contacts) {
+      if (!is_room[other]) continue;
+      for (const auto& [side, contact] : sides) open[side] += contact.open;
+    }
+    return std::any_of(open.begin(), open.end(), [&](const auto& at) {
+      const double face = std::max(g.faces.at(at.first), std::pow(g.volume, 2.0 / 3.0));
+      return at.second >= config_.door_share * face;
+    });
+  }
+
+  // Real walls and floors are layers with faces of every direction between them, so that the faces
+  // alone do not tell them from rooms.
+  std::vector<char> find_rooms() const {
+    std::vector<char> is_room(groups_.size(), 0);
+    is_room[outside_group] = 1;
+    const double least = config_.thin_share * typical(chord);
+    const double closet = config_.closet_share * typical(volume);
+    for (std::uint32_t i = 1; i < groups_.size(); ++i) {
+      is_room[i] = alive(i) && !groups_[i].is_solid() && chord(groups_[i]) >= least;
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::uint32_t i = 1; i < groups_.size(); ++i) {
+        if (!alive(i) || is_room[i] || groups_[i].is_solid()) continue;
+        if (groups_[i].volume < closet) continue;
+        if (!has_door(groups_[i], is_room)) continue;
+        is_room[i] = 1;
+        changed = true;
+      }
+    }
+    return is_room;
   }
 
   // How much two touching groups are one room: 0 where they are not.

@@ -49,6 +49,33 @@ TEST(BuildCells, ADoorIsOnePortalBetweenTwoRooms) {
   EXPECT_NEAR(complex.cells()[right.index()].volume_m3, 60.0, 1e-6);
 }
 
+TEST(BuildCells, AClosetBehindADoorInTheCornerIsARoom) {
+  // 5 x 4 m with a closet 5 x 1 m, whose door stands at the side wall and is nearly as wide as what
+  // it shares of the room's length there.
+  plan::Plan plan;
+  plan.box({0, 0, 0}, {5, 4, 2.5}, true);
+  plan.wall_with_door(4, 0, 4, 2.5, 0, 0.8, 2);
+  plan.box({1, 1, 0}, {1.8, 1.6, 0.7}, false);
+  const CellComplex complex = build(plan);
+  EXPECT_EQ(rooms_of(complex), 2);
+  EXPECT_NE(complex.locate({2, 3, 1}), complex.locate({4.5, 3, 1}));
+  EXPECT_TRUE(complex.locate({4.5, 3, 1}).valid());
+}
+
+TEST(BuildCells, TheLayersOfAWallAreNoRooms) {
+  // Two rooms with a wall of two layers between them, each layer a solid of its own; between the
+  // layers their faces lie on each other, so that either sees the other's front.
+  plan::Plan plan;
+  plan.box({0, 0, 0}, {4, 4, 2.5}, true);
+  plan.box({4.3, 0, 0}, {9, 4, 2.5}, true);
+  plan.box({4, 0, 0}, {4.1, 4, 2.5}, false);
+  plan.box({4.1, 0, 0}, {4.3, 4, 2.5}, false);
+  const CellComplex complex = build(plan);
+  EXPECT_EQ(rooms_of(complex), 2);
+  EXPECT_FALSE(complex.locate({4.05, 2, 1}).valid());
+  EXPECT_FALSE(complex.locate({4.2, 2, 1}).valid());
+}
+
 TEST(BuildCells, PortalFacesItsCellA) {
   const CellComplex complex = build(plan::two_rooms());
   for (const Portal& portal : complex.portals()) {
