@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cells/interface.hpp"
+#include "cells/room_kinds.hpp"
 
 namespace enfilade {
 
@@ -31,13 +32,7 @@ struct MergeConfig {
   double enclosed_share = 0.55;
   /// The smallest groups, up to this share of all enclosed volume, are no cells of their own.
   double crumb_share = 0.01;
-  /// Thinner (by its mean chord, 4 V / S) than this share of the typical room, a cell is a room
-  /// (a closet, a passage) only where it is not much smaller...
-  double thin_share = 0.75;
-  double closet_share = 0.02;
-  /// ... and has a door: an opening to a room of this share of its face there, and of V^(2/3). Else
-  /// it is the inside of a wall, a floor or a cupboard.
-  double door_share = 0.1;
+  RoomConfig rooms;
 };
 
 struct LeafGroups {
