@@ -1,7 +1,8 @@
 #include "clusters/light_walk.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/sampling.hpp"
 
 namespace enfilade {
 namespace {
@@ -11,15 +12,6 @@ RayScene rays_of(std::span<const CellPiece> pieces) {
   polygons.reserve(pieces.size());
   for (const CellPiece& piece : pieces) polygons.push_back(piece.piece.polygon);
   return RayScene(polygons);
-}
-
-/// A direction of the hemisphere above n, cosine-weighted.
-Vec3 cosine_direction(const Vec3& n, Random& random) {
-  const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  const Vec3 u = glm::normalize(glm::cross(helper, n));
-  const double square = random.uniform(), r = std::sqrt(square);
-  const double phi = 2.0 * std::numbers::pi * random.uniform();
-  return r * std::cos(phi) * u + r * std::sin(phi) * glm::cross(n, u) + std::sqrt(1.0 - square) * n;
 }
 
 }  // namespace
@@ -52,7 +44,8 @@ bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
   for (int bounce = 0; bounce < max_bounces_; ++bounce) {
     p += offset_m_ * n;
     if (sees_light(p, n, random)) return true;
-    const Vec3 d = cosine_direction(n, random);
+    const double r2 = random.uniform(), turn = random.uniform();
+    const Vec3 d = cosine_direction(n, r2, turn);
     const RayHit hit = rays_.closest(p, d);
     if (!hit.any() || !hit.front) return false;
     if (faces_[hit.polygon].emits) return true;

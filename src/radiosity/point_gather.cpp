@@ -2,24 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/random.hpp"
+#include "base/sampling.hpp"
 #include "radiosity/bright_polygons.hpp"
 
 namespace enfilade {
-namespace {
-
-/// Direction above a plane with normal n; uniform r2 and turn (of a circle) in [0, 1) give
-/// directions in proportion to their cosine with n.
-Vec3 cosine_direction(const Vec3& n, double r2, double turn) {
-  const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  const Vec3 u = glm::normalize(glm::cross(helper, n)), v = glm::cross(n, u);
-  const double phi = 2.0 * std::numbers::pi * turn, r = std::sqrt(r2);
-  return r * std::cos(phi) * u + r * std::sin(phi) * v + std::sqrt(std::max(0.0, 1.0 - r2)) * n;
-}
-
-}  // namespace
 
 struct PointGather::Impl {
   std::span<const ClusterState> clusters;
@@ -84,7 +72,8 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
     bright.add_one(from, frame.n, own, weights, random, carried, e);
     add_lights(from, frame.n, own, carried, e);
-    direction = cosine_direction(frame.n, random.uniform(), random.uniform());
+    const double r2 = random.uniform(), turn = random.uniform();
+    direction = cosine_direction(frame.n, r2, turn);
   }
 }
 

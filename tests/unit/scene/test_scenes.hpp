@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -18,12 +17,13 @@ inline std::string test_data(const std::string& name) {
   return std::string(ENFILADE_TEST_DATA) + "/scene/" + name;
 }
 
-/// A folder of its own for each test, gone afterwards.
+/// A folder in the test's temporary directory (tests/unit/main.cpp), gone afterwards.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "enfilade_scene_XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
+    static int made = 0;
+    path_ = testing::TempDir() + "folder" + std::to_string(made++);
+    std::filesystem::create_directory(path_);
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
   TemporaryFolder(const TemporaryFolder&) = delete;
