@@ -21,10 +21,15 @@ std::size_t cells_of(const Prepared& prepared, CellKind kind) {
   return static_cast<std::size_t>(std::ranges::count(prepared.cells.cells(), kind, &Cell::kind));
 }
 
+/// Of G_cell, between different cells that are no insides of solids.
 std::size_t cell_pairs(const CellComplex& complex) {
+  const auto open = [&](CellId cell) {
+    return complex.cells()[cell.index()].kind != CellKind::solid;
+  };
   const auto seen = visible_cells(complex);
-  return static_cast<std::size_t>(
-      std::ranges::count_if(seen, [](const auto& pair) { return pair.first != pair.second; }));
+  return static_cast<std::size_t>(std::ranges::count_if(seen, [&](const auto& pair) {
+    return pair.first != pair.second && open(pair.first) && open(pair.second);
+  }));
 }
 
 }  // namespace

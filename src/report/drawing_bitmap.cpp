@@ -3,6 +3,14 @@
 
 #include "report/drawing.hpp"
 
+namespace enfilade {
+/// A corner of an outline, as stb_truetype reads it: pixels, not a font's whole units.
+struct OutlineCorner {
+  float x, y, cx, cy, cx1, cy1;
+  unsigned char type, padding;
+};
+}  // namespace enfilade
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wsign-compare"
@@ -11,15 +19,14 @@
 #pragma GCC diagnostic ignored "-Wpedantic"
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
-#define stbtt_vertex_type int
+#define stbtt_vertex enfilade::OutlineCorner
+#define stbtt_vertex_type float
 #include <stb_truetype.h>
 #pragma GCC diagnostic pop
 
 namespace enfilade {
 
 namespace {
-
-constexpr double steps_per_px = 256.0;
 
 /// Pixels of the sheet, upper left corner included.
 struct Window {
@@ -33,16 +40,16 @@ class Painter {
 
   /// Paths in pixels that all turn the same way.
   void area(const std::vector<Path>& paths, Rgb8 colour, const Window& within) {
-    std::vector<stbtt_vertex> outline;
+    std::vector<OutlineCorner> outline;
     Window w = within;
     fit(w, paths);
     if (w.empty()) return;
     for (const Path& path : paths) {
       for (std::size_t i = 0; i <= path.size(); ++i) {
-        stbtt_vertex v{};
+        OutlineCorner v{};
         v.type = static_cast<unsigned char>(i == 0 ? STBTT_vmove : STBTT_vline);
-        v.x = static_cast<int>(std::lround(steps_per_px * path[i % path.size()].x));
-        v.y = static_cast<int>(std::lround(steps_per_px * path[i % path.size()].y));
+        v.x = static_cast<float>(path[i % path.size()].x);
+        v.y = static_cast<float>(path[i % path.size()].y);
         outline.push_back(v);
       }
     }
@@ -83,12 +90,11 @@ class Painter {
     w.x1 = static_cast<int>(std::min<double>(w.x1, std::ceil(box.hi.x)));
     w.y1 = static_cast<int>(std::min<double>(w.y1, std::ceil(box.hi.y)));
   }
-  static std::vector<unsigned char> covered(std::vector<stbtt_vertex>& outline, const Window& w) {
+  static std::vector<unsigned char> covered(std::vector<OutlineCorner>& outline, const Window& w) {
     std::vector<unsigned char> share(static_cast<std::size_t>(w.x1 - w.x0) *
                                      static_cast<std::size_t>(w.y1 - w.y0));
     stbtt__bitmap target{w.x1 - w.x0, w.y1 - w.y0, w.x1 - w.x0, share.data()};
-    const auto scale = static_cast<float>(1.0 / steps_per_px);
-    stbtt_Rasterize(&target, 0.25f, outline.data(), static_cast<int>(outline.size()), scale, scale,
+    stbtt_Rasterize(&target, 0.25f, outline.data(), static_cast<int>(outline.size()), 1.0f, 1.0f,
                     0.0f, 0.0f, w.x0, w.y0, 0, nullptr);
     return share;
   }

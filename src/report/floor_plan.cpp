@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "report/level_section.hpp"
@@ -65,18 +66,30 @@ void draw_clusters(Drawing& drawing, const Building& building,
   }
 }
 
+Rgb8 ink_of(PortalSide side) {
+  if (side == PortalSide::solid) return plan_ink::into_solid;
+  return side == PortalSide::outside ? plan_ink::to_outside : plan_ink::doorway;
+}
+
 void draw_portals(Drawing& drawing, const CellComplex& complex,
                   const std::vector<PortalMark>& marks) {
-  for (const PortalMark& mark : marks) {
+  // Doorways come last, over what leads into solids.
+  std::vector<PortalMark> order = marks;
+  std::ranges::stable_sort(order, std::greater<>(), &PortalMark::side);
+  for (const PortalMark& mark : order) {
     const Portal& portal = complex.portals()[mark.id.index()];
     Shape shape;
     shape.kind = "portal";
     shape.paths = mark.lines;
     shape.closed = false;
-    shape.stroke = mark.to_outside ? plan_ink::to_outside : plan_ink::doorway;
-    shape.width_px = mark.view == PortalView::cut      ? 4.0
-                     : mark.view == PortalView::beyond ? 3.0
-                                                       : 1.0;
+    shape.stroke = ink_of(mark.side);
+    if (mark.view == PortalView::level) {
+      shape.width_px = 1.0;
+    } else {
+      shape.width_px = mark.side == PortalSide::solid ? 2.0
+                       : mark.view == PortalView::cut ? 4.0
+                                                      : 3.0;
+    }
     shape.tip = fmt::format("portal {}, cells {} and {}, {:.3g} m2", mark.id.value, portal.a.value,
                             portal.b.value, area_m2(portal.polygon));
     drawing.map.push_back(std::move(shape));
@@ -84,7 +97,7 @@ void draw_portals(Drawing& drawing, const CellComplex& complex,
 }
 
 /// Numbers of cells where they fit, larger cells first; none over another.
-void write_numbers(Drawing& drawing, const CellComplex& complex,
+void write_numbers(Drawing& drawing, const CellComplex& complex, const PlanSubject& subject,
                    std::vector<CellSection> sections) {
   std::ranges::stable_sort(sections,
                            [](const auto& a, const auto& b) { return a.area_m2 > b.area_m2; });
@@ -104,6 +117,15 @@ void write_numbers(Drawing& drawing, const CellComplex& complex,
     box.add(Vec3(words.at_px + Vec2(half_px, 0.5 * words.size_px), 0.0));
     if (std::ranges::any_of(taken, [&](const Box& b) { return b.overlaps(box); })) continue;
     taken.push_back(box);
+    const Vec2 lo(box.lo), hi(box.hi), more(3.0, 2.0);
+    drawing.sheet.push_back(
+        {"number",
+         {{lo - more, {hi.x + more.x, lo.y - more.y}, hi + more, {lo.x - more.x, hi.y + more.y}}},
+         subject.cells[section.cell.index()],
+         std::nullopt,
+         0.0,
+         true,
+         ""});
     drawing.words.push_back(words);
   }
 }
@@ -112,7 +134,9 @@ PlanContents contents_of(const std::vector<PortalMark>& portals,
                          const std::vector<ClusterMark>& clusters) {
   PlanContents contents;
   for (const PortalMark& mark : portals) {
-    (mark.to_outside ? contents.to_outside : contents.doorways) = true;
+    contents.doorways |= mark.side == PortalSide::room;
+    contents.to_outside |= mark.side == PortalSide::outside;
+    contents.into_solids |= mark.side == PortalSide::solid;
     contents.beyond |= mark.view == PortalView::beyond;
     contents.level |= mark.view == PortalView::level;
   }
@@ -124,7 +148,10 @@ PlanContents contents_of(const std::vector<PortalMark>& portals,
 
 FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
                      const PlanSubject& subject, const FloorPlanConfig& config) {
-  const Storey& storey = storeys[static_cast<std::size_t>(number - 1)];
+  const auto index = static_cast<std::size_t>(number - 1);
+  Storey storey = storeys[index];
+  if (index + 1 < storeys.size())
+    storey.headroom_m = std::min(storey.headroom_m, storeys[index + 1].floor_m - storey.floor_m);
   const PlanCut cut{storey, storey.floor_m + std::min(config.cut_m, 0.45 * storey.headroom_m)};
   FloorPlan plan{
       number,
@@ -144,7 +171,7 @@ FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storey
   draw_cells(plan.drawing, sections, subject);
   draw_clusters(plan.drawing, building, clusters, subject);
   draw_portals(plan.drawing, building.cells, portals);
-  write_numbers(plan.drawing, building.cells, sections);
+  write_numbers(plan.drawing, building.cells, subject, sections);
   return plan;
 }
 

@@ -81,13 +81,18 @@ bool set_view(PortalMark& mark, const Polygon& polygon, const PlanCut& cut, doub
 std::vector<PortalMark> portal_marks(const CellComplex& complex, const PlanCut& cut,
                                      double step_m) {
   std::vector<PortalMark> marks;
-  const auto room = [&](CellId cell) {
-    return complex.cells()[cell.index()].kind == CellKind::room;
+  const auto kind = [&](CellId cell) { return complex.cells()[cell.index()].kind; };
+  const auto either = [&](const Portal& portal, CellKind wanted) {
+    return kind(portal.a) == wanted || kind(portal.b) == wanted;
   };
   for (const Portal& portal : complex.portals()) {
     PortalMark mark;
     mark.id = portal.id;
-    mark.to_outside = !room(portal.a) || !room(portal.b);
+    if (either(portal, CellKind::solid)) {
+      mark.side = PortalSide::solid;
+    } else if (either(portal, CellKind::outside)) {
+      mark.side = PortalSide::outside;
+    }
     if (set_view(mark, portal.polygon, cut, step_m)) marks.push_back(std::move(mark));
   }
   return marks;

@@ -12,7 +12,7 @@ namespace enfilade {
 
 /// A storey and the height it is cut at.
 struct PlanCut {
-  Storey storey;
+  Storey storey;  ///< its headroom ends at the next storey's floor
   double z_m = 0.0;
 };
 
@@ -22,9 +22,13 @@ enum class PortalView {
   level    ///< an opening in a floor or a ceiling: hatched
 };
 
+/// What a portal leads to; a portal of a solid lets light into a cupboard or between two skins of a
+/// wall.
+enum class PortalSide { room, outside, solid };
+
 struct PortalMark {
   PortalId id;
-  bool to_outside = false;
+  PortalSide side = PortalSide::room;
   PortalView view = PortalView::cut;
   std::vector<Path> lines;  ///< metres
 };

@@ -92,6 +92,8 @@ void fill_legend(Legend& legend, const PlanSubject& subject, const PlanContents&
   if (contents.doorways) legend.lines(plan_ink::doorway, 4.0, straight, "portal, room to room");
   if (contents.to_outside)
     legend.lines(plan_ink::to_outside, 4.0, straight, "portal to the outside");
+  if (contents.into_solids)
+    legend.lines(plan_ink::into_solid, 2.5, straight, "portal into a cupboard, a wall");
   if (contents.beyond) legend.lines(plan_ink::soft, 3.0, dashed, "portal above or below the cut");
   if (contents.level)
     legend.lines(plan_ink::soft, 1.2, hatched_swatch(), "portal in floor or ceiling");

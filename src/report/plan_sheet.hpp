@@ -11,7 +11,7 @@ namespace enfilade {
 
 /// What a plan shows beside what its subject colours.
 struct PlanContents {
-  bool doorways = false, to_outside = false, beyond = false, level = false;
+  bool doorways = false, to_outside = false, into_solids = false, beyond = false, level = false;
   bool furniture = false;
 };
 

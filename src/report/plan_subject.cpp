@@ -99,10 +99,13 @@ PlanSubject visible_subject(const Building& building, const VisibleSet& set) {
       ink = {plan_ink::faint, 1.2, std::nullopt, ""};
     }
   }
-  const auto count = [](const std::vector<char>& flags) { return std::ranges::count(flags, 1); };
+  std::size_t cells = 0;
+  for (const Cell& cell : building.cells.cells()) {
+    if (cell.kind != CellKind::solid && set.cells[cell.id.index()]) ++cells;
+  }
   subject.subtitle = fmt::format("from cell {}: {} of {} cells and {} of {} clusters are visible",
-                                 set.from.value, count(set.cells), building.cells.open_cells(),
-                                 count(set.clusters), set.clusters.size());
+                                 set.from.value, cells, building.cells.open_cells(),
+                                 std::ranges::count(set.clusters, 1), set.clusters.size());
   subject.keys = {{plan_ink::chosen, fmt::format("cell {}", set.from.value)},
                   {plan_ink::seen, "cells that see it"},
                   {plan_ink::unseen, "other cells"},
