@@ -53,6 +53,8 @@ struct Drawing {
 
 /// SVG 1.1 with the map's coordinates in metres and a <title> for each shape with a tip.
 std::string to_svg(const Drawing& drawing);
+/// The same as an element of an HTML page, which needs no name space.
+std::string to_inline_svg(const Drawing& drawing);
 /// The same as pixels, with smooth edges, on white.
 Bitmap to_bitmap(const Drawing& drawing);
 /// Width of words in pixels: the larger of what they take in SVG and as pixels.

@@ -44,22 +44,16 @@ class SvgText {
   std::string text;
 };
 
-}  // namespace
-
-std::string css(Rgb8 colour) {
-  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
-}
-
-std::string to_svg(const Drawing& drawing) {
+std::string write_svg(const Drawing& drawing, const char* name_space) {
   const MapFrame& f = drawing.frame;
   const Vec2 size = f.px_per_m * (f.hi_m - f.lo_m);
   const Vec2 origin = f.to_px(Vec2(0.0));
   SvgText svg;
-  svg.add(R"(<svg xmlns="http://www.w3.org/2000/svg" class="plan" role="img" )"
+  svg.add(R"(<svg {3}class="plan" role="img" )"
           R"(width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
           R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif" stroke-linejoin="round">)"
           "\n<title>{2}</title>\n",
-          drawing.width_px, drawing.height_px, escaped(drawing.title));
+          drawing.width_px, drawing.height_px, escaped(drawing.title), name_space);
   svg.add(R"(<rect width="{}" height="{}" fill="#ffffff"/>)"
           "\n",
           drawing.width_px, drawing.height_px);
@@ -75,5 +69,16 @@ std::string to_svg(const Drawing& drawing) {
   for (const Words& words : drawing.words) svg.add(words);
   return svg.text + "</svg>\n";
 }
+}  // namespace
+
+std::string css(Rgb8 colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+std::string to_svg(const Drawing& drawing) {
+  return write_svg(drawing, R"(xmlns="http://www.w3.org/2000/svg" )");
+}
+
+std::string to_inline_svg(const Drawing& drawing) { return write_svg(drawing, ""); }
 
 }  // namespace enfilade

@@ -160,7 +160,7 @@ std::string time_by_rank(const RunRecord& stats) {
 std::string plans(const RunPage& run) {
   std::string html;
   for (const FloorPlan& plan : run.plans) {
-    html += "<figure class=\"card\">" + to_svg(plan.drawing) + "</figure>";
+    html += "<figure class=\"card\">" + to_inline_svg(plan.drawing) + "</figure>";
   }
   return html.empty() ? "" : "<h3>Plans</h3><div class=\"stack\">" + html + "</div>";
 }

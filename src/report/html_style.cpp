@@ -22,7 +22,7 @@ figure{margin:0}figure img{display:block;width:100%;height:auto;border-radius:10
 figcaption{color:var(--soft);font-size:13px;padding:6px 2px 0}
 .hero{margin:22px 0}.grid2{display:grid;grid-template-columns:repeat(auto-fit,minmax(320px,1fr));gap:20px}
 .card{background:var(--card);border:1px solid var(--line);border-radius:10px;padding:16px}
-svg{display:block;width:100%;height:auto}
+.card>svg{display:block;width:100%;height:auto}
 .grid{stroke:var(--line);stroke-width:1}.tick{fill:var(--soft);font:12px system-ui,sans-serif}
 .plan{background:#fff;border-radius:6px}.stack{display:grid;gap:20px}
 .legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:13px;color:var(--soft);margin-bottom:8px}
