@@ -10,6 +10,7 @@
 #include "base/progress.hpp"
 #include "cells/cell_complex.hpp"
 #include "clusters/cluster.hpp"
+#include "visibility/occlusion.hpp"
 
 namespace enfilade {
 
@@ -36,6 +37,7 @@ class ClusterGraph {
 /// How much care a source's sequences get before a coarser answer that covers them is taken.
 struct VisibilityConfig {
   int max_passes = 2;  ///< sequences followed one by one through the same doorway
+  OcclusionConfig occlusion;
 };
 
 /// G_cell: pairs of cells that see each other through a sequence of portals; a cell sees itself.
@@ -44,7 +46,8 @@ std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
 
 /// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
 /// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so this is G_cell tightened by what can be seen through the sequences.
+/// of its own, so this is G_cell tightened by what can be seen through the sequences. Of these pairs,
+/// those are left out that are proved hidden by what stands between (occlusion.hpp).
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

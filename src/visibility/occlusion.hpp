@@ -18,7 +18,7 @@ namespace enfilade {
 struct OcclusionConfig {
   int first_rays = 24;         ///< that look for an open line before anything is proved
   int rays = 6;                ///< for each part of the pair after that
-  int max_parts = 48;          ///< a pair is taken apart into at most so many
+  int max_parts = 12;          ///< a pair is taken apart into at most so many
   int max_planes = 3;          ///< planes tried for each part, those that stop most rays first
   double most_open = 0.6;      ///< of a plane; where more is open, the longer side is halved
   std::size_t max_pieces = 8;  ///< more openings in a plane are not followed one by one
