@@ -46,7 +46,7 @@ class Growing {
   std::uint32_t start() const {
     std::size_t best = graph_.size();
     for (std::size_t v = 0; v < graph_.size(); ++v) {
-      if (is_free(v) && (best == graph_.size() || to_free_[v] < to_free_[best])) best = v;
+      if (is_free(v) && (best == graph_.size() || to_free_[v] > to_free_[best])) best = v;
     }
     return static_cast<std::uint32_t>(best);
   }

@@ -14,8 +14,9 @@ namespace enfilade {
 /// - Size: group g of P takes 1/(P-g) of the clusters that are left, rounded up, so that groups
 /// differ
 ///   by one cluster at most.
-/// - Start: the free cluster with the least weight to other free clusters. Growing from the rim
-///   inwards leaves no scattered rest for the last groups.
+/// - Start: the free cluster with the largest sum of weights to other free clusters. (Growing
+/// inwards
+///   from the rim, or on from the last group, cut more of the buildings that were tried.)
 /// - Next: the free cluster with the largest sum of weights to the group's members. Where no free
 ///   cluster is tied to the group, it goes on from a new start.
 /// - Ties go to the lowest id; nothing is random, and nothing is moved once it is placed.
