@@ -23,6 +23,7 @@ struct StudyOptions {
 };
 
 struct Row {
+  std::string method;
   AssignmentConfig config;
   PartitionFigures figures;
   double seconds = 0.0;
@@ -32,26 +33,32 @@ constexpr const char* header =
     "scene,clusters,pairs,figures_from,method,parts,seed,cut_share,work_balance,clusters_balance,"
     "mean_foreign_bytes,max_foreign_bytes,all_bytes,seconds_over_metis,seconds\n";
 
-Row measure(const Prepared& prepared, const ClusterFigures& clusters,
-            const AssignmentConfig& config) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto owner = assign(prepared.graph, FormFactorEstimate(prepared.clusters), config);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  return {config, partition_figures(prepared.graph, clusters, owner, config.parts), took.count()};
+/// One line for each seed that the method looks at.
+void measure(const std::string& method, const Prepared& prepared, const ClusterFigures& clusters,
+             AssignmentConfig config, int seeds, std::vector<Row>& rows) {
+  for (int seed = 1; seed <= seeds; ++seed) {
+    config.seed = static_cast<std::uint64_t>(seed);
+    const auto start = std::chrono::steady_clock::now();
+    const auto owner = assign(prepared.graph, FormFactorEstimate(prepared.clusters), config);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    rows.push_back({method, config,
+                    partition_figures(prepared.graph, clusters, owner, config.parts),
+                    took.count()});
+  }
 }
 
-/// All methods at one number of parts. Only kmeans and metis look at the seed.
+/// All methods at one number of parts, and figure 1 from a single choice of first centres.
 std::vector<Row> measure_all(const Prepared& prepared, const ClusterFigures& clusters, int parts,
                              int seeds) {
   std::vector<Row> rows;
   for (const char* name : assignment_names()) {
     AssignmentConfig config{.method = assignment_method(name), .parts = parts};
-    const bool random =
-        config.method == AssignmentMethod::kmeans || config.method == AssignmentMethod::metis;
-    for (int seed = 1; seed <= (random ? seeds : 1); ++seed) {
-      config.seed = static_cast<std::uint64_t>(seed);
-      rows.push_back(measure(prepared, clusters, config));
-    }
+    const bool kmeans = config.method == AssignmentMethod::kmeans;
+    const bool random = kmeans || config.method == AssignmentMethod::metis;
+    measure(name, prepared, clusters, config, random ? seeds : 1, rows);
+    if (!kmeans) continue;
+    config.starts = 1;
+    measure("kmeans-one-start", prepared, clusters, config, seeds, rows);
   }
   return rows;
 }
@@ -77,12 +84,12 @@ std::string study_run(const std::string& run, const StudyOptions& options) {
   for (int parts : options.parts) {
     const std::vector<Row> rows = measure_all(prepared, clusters, parts, options.seeds);
     const double unit_s = mean_metis_seconds(rows);
-    for (const auto& [config, f, seconds] : rows) {
+    for (const auto& [method, config, f, seconds] : rows) {
       csv += fmt::format("{},{},{},{},{},{},{},{:.5f},{:.4f},{:.4f},{:.0f},{:.0f},{},{:.2g},{}\n",
                          scene, prepared.graph.size(), prepared.graph.edges(),
-                         clusters.solved ? "solution" : "preparation", name_of(config.method),
-                         parts, config.seed, f.cut_share, f.work_balance, f.clusters_balance,
-                         f.mean_foreign_bytes, f.max_foreign_bytes, all_bytes, seconds / unit_s,
+                         clusters.solved ? "solution" : "preparation", method, parts, config.seed,
+                         f.cut_share, f.work_balance, f.clusters_balance, f.mean_foreign_bytes,
+                         f.max_foreign_bytes, all_bytes, seconds / unit_s,
                          options.no_seconds ? "" : fmt::format("{:.4f}", seconds));
     }
     fmt::print(stderr, "{}: {} parts done\n", scene, parts);

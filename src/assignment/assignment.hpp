@@ -25,6 +25,7 @@ struct AssignmentConfig {
   int parts = 1;
   std::uint64_t seed = 1;
   int max_iterations = 30;  ///< of figure 1's loop, which changes little after ten
+  int starts = 4;           ///< kmeans: choices of first centres, of which the best is taken
 };
 
 /// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as
