@@ -34,16 +34,31 @@ std::vector<double> foreign_bytes(const ClusterGraph& graph, const ClusterFigure
   return bytes;
 }
 
+double form_factor_cut_share(const ClusterGraph& graph, const FormFactorEstimate& weights,
+                             std::span<const Rank> owner) {
+  double all = 0.0, cut = 0.0;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (std::uint32_t to : graph.neighbours(v)) {
+      const double weight = weights.between(v, to);
+      all += weight;
+      if (owner[v] != owner[to]) cut += weight;
+    }
+  }
+  return all > 0.0 ? cut / all : 0.0;
+}
+
 }  // namespace
 
-PartitionFigures partition_figures(const ClusterGraph& graph, const ClusterFigures& clusters,
-                                   std::span<const Rank> owner, int parts) {
+PartitionFigures partition_figures(const ClusterGraph& graph, const FormFactorEstimate& weights,
+                                   const ClusterFigures& clusters, std::span<const Rank> owner,
+                                   int parts) {
   PartitionFigures figures;
   const PartitionQuality q = quality(graph, owner, parts);
   figures.clusters_balance = q.imbalance;
   if (graph.edges() > 0) {
     figures.cut_share = static_cast<double>(q.edge_cut) / static_cast<double>(graph.edges());
   }
+  figures.form_factor_cut_share = form_factor_cut_share(graph, weights, owner);
   std::vector<double> work(static_cast<std::size_t>(parts), 0.0);
   for (std::size_t v = 0; v < owner.size(); ++v) {
     work[static_cast<std::size_t>(owner[v].value)] += clusters.work[v];

@@ -30,19 +30,21 @@ struct Row {
 };
 
 constexpr const char* header =
-    "scene,clusters,pairs,figures_from,method,parts,seed,cut_share,work_balance,clusters_balance,"
+    "scene,clusters,pairs,figures_from,method,parts,seed,cut_share,form_factor_cut_share,"
+    "work_balance,clusters_balance,"
     "mean_foreign_bytes,max_foreign_bytes,all_bytes,seconds_over_metis,seconds\n";
 
 /// One line for each seed that the method looks at.
 void measure(const std::string& method, const Prepared& prepared, const ClusterFigures& clusters,
              AssignmentConfig config, int seeds, std::vector<Row>& rows) {
+  const FormFactorEstimate weights(prepared.clusters);
   for (int seed = 1; seed <= seeds; ++seed) {
     config.seed = static_cast<std::uint64_t>(seed);
     const auto start = std::chrono::steady_clock::now();
-    const auto owner = assign(prepared.graph, FormFactorEstimate(prepared.clusters), config);
+    const auto owner = assign(prepared.graph, weights, config);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     rows.push_back({method, config,
-                    partition_figures(prepared.graph, clusters, owner, config.parts),
+                    partition_figures(prepared.graph, weights, clusters, owner, config.parts),
                     took.count()});
   }
 }
@@ -85,12 +87,13 @@ std::string study_run(const std::string& run, const StudyOptions& options) {
     const std::vector<Row> rows = measure_all(prepared, clusters, parts, options.seeds);
     const double unit_s = mean_metis_seconds(rows);
     for (const auto& [method, config, f, seconds] : rows) {
-      csv += fmt::format("{},{},{},{},{},{},{},{:.5f},{:.4f},{:.4f},{:.0f},{:.0f},{},{:.2g},{}\n",
-                         scene, prepared.graph.size(), prepared.graph.edges(),
-                         clusters.solved ? "solution" : "preparation", method, parts, config.seed,
-                         f.cut_share, f.work_balance, f.clusters_balance, f.mean_foreign_bytes,
-                         f.max_foreign_bytes, all_bytes, seconds / unit_s,
-                         options.no_seconds ? "" : fmt::format("{:.4f}", seconds));
+      csv += fmt::format(
+          "{},{},{},{},{},{},{},{:.5f},{:.5f},{:.4f},{:.4f},{:.0f},{:.0f},{},{:.2g},{}\n", scene,
+          prepared.graph.size(), prepared.graph.edges(),
+          clusters.solved ? "solution" : "preparation", method, parts, config.seed, f.cut_share,
+          f.form_factor_cut_share, f.work_balance, f.clusters_balance, f.mean_foreign_bytes,
+          f.max_foreign_bytes, all_bytes, seconds / unit_s,
+          options.no_seconds ? "" : fmt::format("{:.4f}", seconds));
     }
     fmt::print(stderr, "{}: {} parts done\n", scene, parts);
   }
