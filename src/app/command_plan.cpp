@@ -15,6 +15,7 @@
 #include "assignment/assignment.hpp"
 #include "base/error.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/solve.hpp"
 #include "report/stats_json.hpp"
 #include "scene/scene_io.hpp"
 
@@ -98,8 +99,10 @@ CellId chosen_cell(const std::string& text, const CellComplex& complex) {
 
 std::vector<Rank> chosen_owners(const PlanOptions& options, const Prepared& prepared) {
   if (options.ranks > 0) {
-    return assign(prepared.graph,
-                  {assignment_method(options.assignment), options.ranks, options.seed});
+    SolveConfig config;
+    config.assignment = assignment_method(options.assignment);
+    config.seed = options.seed;
+    return assign_clusters(prepared, config, options.ranks);
   }
   const std::string file = options.run + "/assignment.json";
   std::vector<Rank> owner;

@@ -53,8 +53,7 @@ void run_solve(const SolveOptions& options, Session& session) {
     const Warnings shortfall = shortfall_of(config.run_directory, stats, config.max_iterations);
     console.warnings(shortfall);
     for (const Warning& w : shortfall.all()) warnings.add(w.where, w.what);
-    const auto owner =
-        assign(prepared.graph, {config.assignment, communicator.size(), config.seed});
+    const auto owner = assign_clusters(prepared, config, communicator.size());
     write_run_outputs(
         {config.run_directory, options.probe_source(), options.pictures},
         {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},

@@ -4,21 +4,6 @@
 
 namespace enfilade {
 
-namespace {
-
-const char* name_of(AssignmentMethod method) {
-  switch (method) {
-    case AssignmentMethod::metis:
-      return "metis";
-    case AssignmentMethod::round_robin:
-      return "round-robin";
-    default:
-      return "kmeans";
-  }
-}
-
-}  // namespace
-
 void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
   record.set("version", ENFILADE_VERSION);
   record.set("revision", ENFILADE_REVISION);

@@ -69,9 +69,11 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
 
 void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How the work is cut up and ordered";
-  sub.add_option("--assignment", o.assignment,
-                 "Clusters to ranks: kmeans (figure 1), metis or round-robin")
-      ->check(CLI::IsMember({"kmeans", "metis", "round-robin"}))
+  sub.add_option(
+         "--assignment", o.assignment,
+         "Clusters to ranks: kmeans (figure 1), metis, greedy (grown by estimated form factors, "
+         "after Funkhouser 96) or round-robin")
+      ->check(CLI::IsMember({"kmeans", "metis", "greedy", "round-robin"}))
       ->capture_default_str()
       ->group(group);
   sub.add_option("--order", o.order,

@@ -1,7 +1,9 @@
 #include "assignment/assignment.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "assignment/greedy_groups.hpp"
 #include "assignment/kmeans.hpp"
 #include "assignment/metis_partition.hpp"
 #include "base/error.hpp"
@@ -9,6 +11,8 @@
 namespace enfilade {
 
 namespace {
+
+constexpr std::array<const char*, 4> names{"kmeans", "metis", "greedy", "round-robin"};
 
 std::vector<Rank> round_robin(std::size_t nodes, int parts) {
   std::vector<Rank> owner(nodes);
@@ -47,16 +51,24 @@ void fill_empty_parts(const ClusterGraph& graph, std::vector<Rank>& owner, int p
 
 }  // namespace
 
+std::span<const char* const> assignment_names() { return names; }
+
+const char* name_of(AssignmentMethod method) { return names[static_cast<std::size_t>(method)]; }
+
 AssignmentMethod assignment_method(const std::string& name) {
-  if (name == "kmeans") return AssignmentMethod::kmeans;
-  if (name == "metis") return AssignmentMethod::metis;
-  if (name == "round-robin") return AssignmentMethod::round_robin;
-  throw InputError("--assignment", "'" + name + "'", "no assignment has this name",
-                   "use kmeans, metis or round-robin");
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw InputError("--assignment", "'" + name + "'", "no assignment has this name",
+                     "use kmeans, metis, greedy or round-robin");
+  }
+  return static_cast<AssignmentMethod>(found - names.begin());
 }
 
-std::vector<Rank> assign(const ClusterGraph& graph, const AssignmentConfig& config) {
+std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& weights,
+                         const AssignmentConfig& config) {
   ENFILADE_CHECK(config.parts >= 1, std::to_string(config.parts));
+  ENFILADE_CHECK(weights.size() == 0 || weights.size() == graph.size(),
+                 std::to_string(weights.size()));
   // With no more clusters than ranks, one each is all that can be done.
   if (graph.size() <= static_cast<std::size_t>(config.parts)) {
     return round_robin(graph.size(), config.parts);
@@ -68,6 +80,9 @@ std::vector<Rank> assign(const ClusterGraph& graph, const AssignmentConfig& conf
       break;
     case AssignmentMethod::metis:
       owner = metis_parts(graph, config);
+      break;
+    case AssignmentMethod::greedy:
+      owner = greedy_groups(graph, weights, config.parts);
       break;
     case AssignmentMethod::round_robin:
       owner = round_robin(graph.size(), config.parts);

@@ -1,4 +1,5 @@
-// Clusters to ranks: G_val, figure 1's K-means, METIS, round robin (§3.3.1).
+// Clusters to ranks: G_val, figure 1's K-means, and what it is compared with: METIS, the greedy
+// groups of [6], round robin (§3.3.1).
 #pragma once
 
 #include <cstdint>
@@ -6,13 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "assignment/form_factor_estimate.hpp"
 #include "base/ids.hpp"
 #include "visibility/cluster_graph.hpp"
 
 namespace enfilade {
 
-enum class AssignmentMethod { kmeans, metis, round_robin };
-/// Throws InputError for a name that is none of kmeans, metis, round-robin.
+enum class AssignmentMethod { kmeans, metis, greedy, round_robin };
+/// kmeans, metis, greedy, round-robin: what users call the methods, in the enum's order.
+std::span<const char* const> assignment_names();
+const char* name_of(AssignmentMethod method);
+/// Throws InputError for a name that is none of these.
 AssignmentMethod assignment_method(const std::string& name);
 
 struct AssignmentConfig {
@@ -20,11 +25,14 @@ struct AssignmentConfig {
   int parts = 1;
   std::uint64_t seed = 1;
   int max_iterations = 30;  ///< of figure 1's loop, which changes little after ten
+  int starts = 4;           ///< kmeans: choices of first centres, of which the best is taken
 };
 
 /// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as
-/// many clusters as parts, no part is empty.
-std::vector<Rank> assign(const ClusterGraph& graph, const AssignmentConfig& config);
+/// many clusters as parts, no part is empty. Only `greedy` looks at the weights of the edges; all
+/// others count hops or edges.
+std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& weights,
+                         const AssignmentConfig& config);
 
 /// Hops from `source` to every node of G_val (breadth-first: Warshall's answer, row by row);
 /// unreachable = 0xFFFFFFFF.

@@ -25,7 +25,8 @@ int count(const Bits& a) {
 bool empty(const Bits& a) { return (a[0] | a[1] | a[2] | a[3]) == 0; }
 
 /// Up to 256 breadth-first searches in lockstep: bit s of a node's word says that search s has
-/// reached it, so an edge is followed once a level for all of them.
+/// reached it, so an edge is followed once a level for all of them. Once a group's members have all
+/// met the pivots of their group, how much farther these reach does not matter: they stop.
 class BatchSearch {
  public:
   BatchSearch(const ClusterGraph& graph, std::span<const std::uint32_t> group,
@@ -50,20 +51,19 @@ class BatchSearch {
   void run(Centrality& result) {
     const std::size_t n = graph_.size();
     std::vector<int> missing(n);
-    std::uint64_t left = 0;
+    std::vector<std::uint64_t> left(own_.size(), 0);
     for (std::size_t v = 0; v < n; ++v) {
       missing[v] = wanted_[group_[v]] - count_own(seen_[v], group_[v]);
-      left += static_cast<std::uint64_t>(missing[v]);
+      left[group_[v]] += static_cast<std::uint64_t>(missing[v]);
     }
-    // Once every node has met the pivots of its group, how much farther they reach does not matter.
-    for (std::uint32_t level = 1; left > 0 && spread(); ++level) {
+    for (std::uint32_t level = 1; look_for(left) && spread(); ++level) {
       for (std::uint32_t v : active_) {
         const int found = arrive(v);
         if (found == 0) continue;
         result.sum[v] += static_cast<std::uint64_t>(found) * level;
         result.max[v] = std::max(result.max[v], level);
         missing[v] -= found;
-        left -= static_cast<std::uint64_t>(found);
+        left[group_[v]] -= static_cast<std::uint64_t>(found);
       }
     }
     for (std::size_t v = 0; v < n; ++v) {
@@ -80,12 +80,23 @@ class BatchSearch {
     return count(own);
   }
 
+  /// The searches of the groups that still miss some; false where there are none.
+  bool look_for(const std::vector<std::uint64_t>& left) {
+    going_on_ = Bits{};
+    for (std::size_t g = 0; g < own_.size(); ++g) {
+      if (left[g] == 0) continue;
+      for (std::size_t w = 0; w < batch_words; ++w) going_on_[w] |= own_[g][w];
+    }
+    return !empty(going_on_);
+  }
+
   /// Carries the frontier over every edge to the nodes that are active next; false where there are
   /// none.
   bool spread() {
     reached_.clear();
     for (std::uint32_t v : active_) {
-      const Bits from = std::exchange(frontier_[v], Bits{});
+      Bits from = std::exchange(frontier_[v], Bits{});
+      for (std::size_t w = 0; w < batch_words; ++w) from[w] &= going_on_[w];
       if (empty(from)) continue;
       for (std::uint32_t to : graph_.neighbours(v)) {
         if (empty(next_[to])) reached_.push_back(to);
@@ -110,6 +121,7 @@ class BatchSearch {
   std::span<const std::uint32_t> group_;
   std::vector<Bits> own_;    ///< searches that start in the group
   std::vector<int> wanted_;  ///< how many these are
+  Bits going_on_{};
   std::vector<Bits> seen_, frontier_, next_;
   std::vector<std::uint32_t> active_, reached_;
 };

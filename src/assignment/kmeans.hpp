@@ -10,7 +10,9 @@ namespace enfilade {
 /// Groups of G_val around centres of gravity. A node that is equally near to several centres goes
 /// to the one of them that is still below its fair share of nodes and has most of the node's
 /// neighbours: figure 1 leaves the choice open, and in a building, where hops are few, such nodes
-/// are many. Needs 1 <= parts <= nodes.
+/// are many. Figure 1 ends where its random first centres lead it, good or bad, so that it is run
+/// from `config.starts` choices of these: of the groupings that are even enough, the one with the
+/// fewest cut edges is taken, else the most even one. Needs 1 <= parts <= nodes.
 std::vector<Rank> kmeans_groups(const ClusterGraph& graph, const AssignmentConfig& config);
 
 /// The most central element of each group: least sum, then least maximum of hops to the group's

@@ -20,8 +20,7 @@ double seconds_of_wall() {
 
 std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig& config, Rank rank,
                                     int ranks) {
-  const std::vector<Rank> owner =
-      assign(prepared.graph, {.method = config.assignment, .parts = ranks, .seed = config.seed});
+  const std::vector<Rank> owner = assign_clusters(prepared, config, ranks);
   std::vector<ClusterId> own;
   for (std::size_t i = 0; i < owner.size(); ++i) {
     if (owner[i] == rank) own.emplace_back(i);
@@ -70,6 +69,11 @@ double worst_band(const Spectrum& power) {
 }
 
 }  // namespace
+
+std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks) {
+  return assign(prepared.graph, FormFactorEstimate(prepared.clusters),
+                {.method = config.assignment, .parts = ranks, .seed = config.seed});
+}
 
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer) {

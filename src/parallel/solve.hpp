@@ -44,4 +44,7 @@ using IterationObserver = std::function<void(const IterationSummary&)>;
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 
+/// owner[i] = the rank that cluster i is assigned to at the start (before anything is stolen).
+std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
+
 }  // namespace enfilade

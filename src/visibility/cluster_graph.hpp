@@ -46,8 +46,8 @@ std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
 
 /// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
 /// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so this is G_cell tightened by what can be seen through the sequences. Of these pairs,
-/// those are left out that are proved hidden by what stands between (occlusion.hpp).
+/// of its own, so this is G_cell tightened by what can be seen through the sequences. Of these
+/// pairs, those are left out that are proved hidden by what stands between (occlusion.hpp).
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

@@ -35,8 +35,9 @@ class ClusterVisibility {
     std::vector<Pair> result;
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       if (i % 64 == 0) {
-        report_progress(progress, "visibility",
-                        portals_share * static_cast<double>(i) / static_cast<double>(parts_.size()));
+        report_progress(
+            progress, "visibility",
+            portals_share * static_cast<double>(i) / static_cast<double>(parts_.size()));
       }
       for (const CellPart& part : parts_[i]) {
         look_around(i, part, result);

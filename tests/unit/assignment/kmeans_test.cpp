@@ -93,6 +93,19 @@ TEST(Kmeans, SameSeedSameGroups) {
   EXPECT_EQ(kmeans_groups(graph, kmeans(6, 9)), kmeans_groups(graph, kmeans(6, 9)));
 }
 
+TEST(Kmeans, TakesTheBestOfItsStarts) {
+  const ClusterGraph graph = building(2, 15, 12, 0.08, 4);
+  AssignmentConfig config = kmeans(6);
+  std::vector<std::size_t> cuts;
+  for (config.starts = 1; config.starts <= 8; ++config.starts) {
+    const PartitionQuality q = quality(graph, kmeans_groups(graph, config), 6);
+    if (q.imbalance <= 1.25) cuts.push_back(q.edge_cut);
+  }
+  ASSERT_FALSE(cuts.empty());
+  EXPECT_TRUE(std::is_sorted(cuts.rbegin(), cuts.rend()));
+  EXPECT_LT(cuts.back(), cuts.front());
+}
+
 TEST(Kmeans, EndsWithinTheGivenRounds) {
   const ClusterGraph graph = building(1, 40, 5, 0.2, 8);
   AssignmentConfig config = kmeans(7);
