@@ -1,0 +1,119 @@
+// What hides whom: screens, screens of several polygons, screens behind one another; and a slit,
+// however thin, hides nothing.
+#include "visibility/occlusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../cells/plan_scenes.hpp"
+
+namespace enfilade {
+namespace {
+
+constexpr double tolerance_m = 1e-4;
+
+// Two plates, 1 x 1 m, that look at each other over 4 m; then what the test puts between.
+plan::Plan two_plates() {
+  plan::Plan plan;
+  plan.rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  plan.rectangle({4, 0, 0}, {0, 0, 1}, {0, 1, 0});
+  return plan;
+}
+
+void screen(plan::Plan& plan, double x, double y0, double y1) {
+  plan.rectangle({x, y0, -1}, {0, y1 - y0, 0}, {0, 0, 3});
+}
+
+std::vector<Cluster> one_cluster_each(const plan::Plan& plan) {
+  std::vector<Cluster> clusters;
+  for (const Polygon& polygon : plan.polygons) {
+    Cluster cluster;
+    cluster.id = ClusterId(clusters.size());
+    cluster.cell = CellId(0);
+    cluster.polygons = {{SurfaceId(clusters.size()), polygon}};
+    cluster.bounds = bounds(polygon);
+    cluster.area_m2 = area_m2(polygon);
+    clusters.push_back(cluster);
+  }
+  return clusters;
+}
+
+Sight sight(const plan::Plan& plan, const OcclusionConfig& config = {}) {
+  return Occlusion(one_cluster_each(plan), tolerance_m, config).between(0, 1);
+}
+
+TEST(Occlusion, FreeSightIsOpen) { EXPECT_EQ(sight(two_plates()), Sight::open); }
+
+TEST(Occlusion, BacksDoNotSeeEachOther) {
+  plan::Plan plan = two_plates();
+  std::swap(plan.polygons[0][1], plan.polygons[0][3]);
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, ScreenOfThreePolygonsHides) {
+  plan::Plan plan = two_plates();
+  screen(plan, 2, -1, 0.2);
+  screen(plan, 2, 0.2, 0.7);
+  screen(plan, 2, 0.7, 2);
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, TurnedAndFarAwayScreenHides) {
+  plan::Plan plan = two_plates();
+  screen(plan, 2, -1, 0.2);
+  screen(plan, 2, 0.2, 2);
+  plan.transform(plan::turn_and_move(1e6));
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, GapIsFound) {
+  plan::Plan plan = two_plates();
+  screen(plan, 2, -1, 0.45);
+  screen(plan, 2, 0.5, 2);
+  EXPECT_EQ(sight(plan), Sight::open);
+}
+
+TEST(Occlusion, SlitOfATenthOfAMillimetreIsNeverHidden) {
+  plan::Plan plan = two_plates();
+  screen(plan, 2, -1, 0.45);
+  screen(plan, 2, 0.4501, 2);
+  OcclusionConfig config;
+  for (config.max_parts = 1; config.max_parts <= 256; config.max_parts *= 4) {
+    EXPECT_NE(sight(plan, config), Sight::hidden) << config.max_parts;
+  }
+}
+
+TEST(Occlusion, GapsThatNoLineJoinsAreHidden) {
+  plan::Plan plan = two_plates();
+  screen(plan, 1.8, -1, 0.0);
+  screen(plan, 1.8, 0.2, 2);  // open from 0.0 to 0.2
+  screen(plan, 2.0, -1, 0.7);
+  screen(plan, 2.0, 0.9, 2);  // open from 0.7 to 0.9: too steep a line
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, GapsThatALineJoinsAreNot) {
+  plan::Plan plan = two_plates();
+  screen(plan, 1.8, -1, 0.4);
+  screen(plan, 1.8, 0.5, 2);
+  screen(plan, 2.0, -1, 0.45);
+  screen(plan, 2.0, 0.55, 2);
+  EXPECT_NE(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, PartsHiddenByDifferentScreensAreHidden) {
+  plan::Plan plan = two_plates();
+  // Neither screen hides all of the second plate; together, at different depths, they do.
+  screen(plan, 3.0, -1, 0.55);
+  screen(plan, 3.2, 0.5, 2);
+  plan.rectangle({3.0, 0.55, -1}, {0.2, 0, 0}, {0, 0, 3});  // closes the way between them
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, TwinInTheSamePlaneHidesNothing) {
+  plan::Plan plan = two_plates();
+  plan.rectangle({0, 0, 0}, {0, 0, 1}, {0, 1, 0});  // the wall's other face
+  EXPECT_EQ(sight(plan), Sight::open);
+}
+
+}  // namespace
+}  // namespace enfilade
