@@ -7,7 +7,7 @@ namespace {
 constexpr const char* demo = R"({
   "format": "enfilade-building", "version": 1,
   "floors": 2,
-  "wings": [{"bays": 2}, {"bays": 3, "turn": 75}],
+  "wings": [{"bays": 2}, {"bays": 4, "turn": 50}],
   "stairs": 1,
   "fire_doors": 1,
   "colours": true,
