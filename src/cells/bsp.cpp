@@ -10,6 +10,7 @@ namespace {
 struct Fragment {
   std::uint32_t plane;
   bool same_facing;
+  bool on_border;  ///< of the region: its plane has been cut along
   double area;
   Polygon polygon;
 };
@@ -27,23 +28,33 @@ struct Choice {
   Polygon section;
 };
 
+double border_area(const std::vector<Fragment>& fragments) {
+  double sum = 0.0;
+  for (const Fragment& f : fragments) sum += f.on_border ? f.area : 0.0;
+  return sum;
+}
+
 // The plane that hides the largest share of the region's cross-section along it. Each facing is
-// summed by itself, because the two faces of a thin wall cover the same ground.
-Choice most_occluding(const Job& job, const PlaneSet& planes, double min_occlusion,
+// summed by itself, because the two faces of a thin wall cover the same ground. In a building that
+// sprawls no wall hides much of the whole: there one counts that is large beside those that the
+// region has on its border, as no furniture is in a room.
+Choice most_occluding(const Job& job, const PlaneSet& planes, const CellComplex::Config& config,
                       double tolerance) {
   Choice best;
   const auto& all = job.fragments;
+  const double least_area = config.min_border_share * border_area(all);
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
     double facing[2] = {0.0, 0.0};
     for (end = begin; end < all.size() && all[end].plane == all[begin].plane; ++end) {
-      facing[all[end].same_facing ? 0 : 1] += all[end].area;
+      if (!all[end].on_border) facing[all[end].same_facing ? 0 : 1] += all[end].area;
     }
     const double area = std::max(facing[0], facing[1]);
+    if (area <= 0.0) continue;
     Polygon section = cross_section(job.region, planes.planes[all[begin].plane]);
     const double whole = area_m2(section);
     if (whole <= tolerance * tolerance) continue;
     const double share = std::min(1.0, area / whole);
-    if (share < min_occlusion) continue;
+    if (share < config.min_occlusion && area < least_area) continue;
     const bool clearly = share > best.share * (1.0 + 1e-6);
     const bool level = !clearly && share >= best.share * (1.0 - 1e-6);
     if (clearly || (level && area > best.area * (1.0 + 1e-6))) {
@@ -61,7 +72,7 @@ struct Sides {
 void put(const Fragment& like, Polygon polygon, std::vector<Fragment>& list) {
   const double area = area_m2(polygon);
   if (polygon.size() >= 3 && area > 0.0) {
-    list.push_back({like.plane, like.same_facing, area, std::move(polygon)});
+    list.push_back({like.plane, like.same_facing, like.on_border, area, std::move(polygon)});
   }
 }
 
@@ -79,6 +90,10 @@ Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const Pl
     if (fragment.plane == plane_index || (!any_front && !any_behind)) {
       const Vec3& n = planes.planes[fragment.plane].n;
       const bool same = fragment.same_facing == (glm::dot(n, plane.n) >= 0.0);
+      // It stays, as a part of the border, with the side that it shows its front.
+      auto& list = same ? sides.front : sides.behind;
+      list.push_back({fragment.plane, fragment.same_facing, true, fragment.area, fragment.polygon});
+      if (fragment.on_border) continue;
       const Box box = bounds(fragment.polygon);
       sides.in_plane.push_back({std::move(fragment.polygon), box, same});
     } else if (!any_behind) {
@@ -102,7 +117,7 @@ std::vector<Fragment> all_fragments(std::span<const Piece> pieces, const PlaneSe
   });
   std::vector<Fragment> fragments;
   for (const std::size_t i : order) {
-    fragments.push_back({planes.plane_of_piece[i], planes.same_facing[i] != 0,
+    fragments.push_back({planes.plane_of_piece[i], planes.same_facing[i] != 0, false,
                          area_m2(pieces[i].polygon), pieces[i].polygon});
   }
   return fragments;
@@ -121,7 +136,7 @@ BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region 
     jobs.pop_back();
     Choice choice;
     if (tree.leaves.size() + jobs.size() + 2 <= config.max_leaves) {
-      choice = most_occluding(job, planes, config.min_occlusion, tolerance_m);
+      choice = most_occluding(job, planes, config, tolerance_m);
     }
     BspNode& node = tree.nodes[static_cast<std::size_t>(job.node)];
     if (!choice.found) {

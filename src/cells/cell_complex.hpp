@@ -47,6 +47,8 @@ class CellComplex {
   struct Config {
     double min_occlusion =
         0.1;  ///< share of a region's cross-section that a plane must cover to cut it
+    double min_border_share =
+        0.05;  ///< ... or this share of what covers the region's border, in a sprawling building
     double tolerance_relative =
         1e-5;  ///< coplanarity, relative to the scene's diagonal (at most 2 mm)
     std::size_t max_leaves = 200000;

@@ -23,10 +23,11 @@ std::string text_of(const std::string& path) {
 /// option compiles unless it is put here too.
 std::string options_of(const PrepareConfig& config) {
   const auto& [cells, sealed, clusters] = config;
-  const auto& [min_occlusion, tolerance_relative, max_leaves] = cells;
+  const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
+                                       {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
                                        {"max_leaves", max_leaves},
                                        {"sealed_walks", walks},

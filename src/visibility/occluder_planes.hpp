@@ -1,0 +1,47 @@
+// What blocks in each plane: walls are many polygons, but hide what lies behind them as one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene/box_tree.hpp"
+#include "scene/polygon.hpp"
+
+namespace enfilade {
+
+/// Polygons by the plane that they lie in, exactly: to rounding, not to a tolerance, because a line
+/// may pass between two polygons that are put out of one plane by a millimetre.
+class OccluderPlanes {
+ public:
+  explicit OccluderPlanes(std::span<const Polygon> polygons);
+
+  std::size_t size() const { return planes_.size(); }
+  const Plane& plane(std::uint32_t k) const { return planes_[k].plane; }
+  /// Of a polygon that is not flat, the plane of its first triangle.
+  std::uint32_t plane_of_polygon(std::uint32_t polygon) const { return plane_of_polygon_[polygon]; }
+
+  /// What of `openings` (convex, in plane k) no polygon covers; those in `skip` (sorted) do not
+  /// count. Gives up, with the openings that it has by then, beyond `max_pieces` of them.
+  std::vector<Polygon> uncovered(std::uint32_t k, std::vector<Polygon> openings,
+                                 std::span<const std::uint32_t> skip, std::size_t max_pieces) const;
+
+ private:
+  struct Part {
+    Polygon polygon;
+    Box box;
+    std::uint32_t of = 0;  ///< the polygon that it is (a triangle of)
+  };
+  struct Occluders {
+    Plane plane;
+    std::vector<Part> parts;
+    std::unique_ptr<BoxTree> tree;  ///< where there are many
+  };
+
+  std::vector<Occluders> planes_;
+  std::vector<std::uint32_t> plane_of_polygon_;
+  double sliver_m_ = 0.0;
+};
+
+}  // namespace enfilade
