@@ -1,7 +1,5 @@
 #include "modeler/furniture.hpp"
 
-#include <cmath>
-
 namespace enfilade {
 namespace {
 
@@ -27,16 +25,6 @@ void add_lit_box(SurfaceSink& sink, const Frame& f, const Vec3& lo, const Vec3& 
   side({lo.x, hi.y}, {lo.x, lo.y});
 }
 
-void add_legs(SurfaceSink& sink, const Frame& f, double width, double depth, double height) {
-  constexpr double leg = 0.04;
-  for (const double x : {0.0, width - leg}) {
-    for (const double y : {0.0, depth - leg}) {
-      add_box(sink, f, {x, y, glide_m}, {x + leg, y + leg, height - glide_m}, {Material::metal},
-              "leg");
-    }
-  }
-}
-
 void add_lamp(SurfaceSink& sink, const Frame& f) {
   add_lit_box(sink, f, {0.0, 0.0, -0.14}, {1.2, 0.3, -0.09});
 }
@@ -50,14 +38,17 @@ void add_desk(SurfaceSink& sink, const Frame& f, unsigned variant) {
 }
 
 void add_chair(SurfaceSink& sink, const Frame& f, unsigned variant) {
-  const Finish cloth{Material::textile, variant};
-  add_legs(sink, f, 0.45, 0.45, 0.43);
+  const Finish cloth{Material::textile, variant}, metal{Material::metal};
+  add_box(sink, f, {0.0, 0.03, glide_m}, {0.02, 0.45, 0.43 - glide_m}, metal, "side");
+  add_box(sink, f, {0.43, 0.03, glide_m}, {0.45, 0.45, 0.43 - glide_m}, metal, "side");
   add_box(sink, f, {0.0, 0.0, 0.43}, {0.45, 0.45, 0.47}, cloth, "seat");
   add_box(sink, f, {0.0, 0.0, 0.52}, {0.45, 0.03, 0.88}, cloth, "back");
 }
 
 void add_table(SurfaceSink& sink, const Frame& f, unsigned variant) {
-  add_legs(sink, f, 0.7, 0.7, 0.7);
+  const Finish metal{Material::metal};
+  add_box(sink, f, {0.15, 0.15, glide_m}, {0.55, 0.55, 0.03}, metal, "foot");
+  add_box(sink, f, {0.31, 0.31, 0.03 + glide_m}, {0.39, 0.39, 0.7 - glide_m}, metal, "column");
   add_box(sink, f, {0.0, 0.0, 0.7}, {0.7, 0.7, 0.73}, {Material::wood, variant}, "top");
 }
 
@@ -66,7 +57,7 @@ void add_shelf(SurfaceSink& sink, const Frame& f, unsigned variant) {
   add_box(sink, f, {0.0, 0.0, glide_m}, {0.02, 0.4, 1.25}, wood, "side");
   add_box(sink, f, {0.78, 0.0, glide_m}, {0.8, 0.4, 1.25}, wood, "side");
   add_box(sink, f, {0.03, 0.0, 0.1}, {0.77, 0.01, 1.25}, wood, "back");
-  for (const double z : {0.15, 0.5, 0.85, 1.2}) {
+  for (const double z : {0.15, 0.65}) {
     add_box(sink, f, {0.03, 0.02, z}, {0.77, 0.38, z + 0.02}, wood, "board");
   }
 }

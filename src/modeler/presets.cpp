@@ -19,12 +19,13 @@ constexpr const char* demo = R"({
 constexpr const char* rr3425 = R"({
   "format": "enfilade-building", "version": 1,
   "floors": 3,
-  "wings": [{"bays": 24}, {"bays": 25, "turn": 90}, {"bays": 24}, {"bays": 25, "turn": -90}],
-  "stairs": 2,
+  "wings": [{"bays": 18}, {"bays": 12, "turn": 60}, {"bays": 12}, {"bays": 12, "turn": -60},
+            {"bays": 12}, {"bays": 12, "turn": 60}, {"bays": 18}],
+  "stairs": 4,
   "fire_doors": 9,
-  "furniture": {"lamp": 666, "desk": 100, "chair": 100, "table": 60, "shelf": 60, "cupboard": 60,
-                "bin": 100, "plant": 100, "monitor": 50, "desk_lamp": 0, "picture": 300},
-  "ground_furniture": {"lamp": 2}
+  "furniture": {"lamp": 666, "desk": 110, "chair": 110, "table": 20, "shelf": 20, "cupboard": 110,
+                "bin": 62, "plant": 25, "monitor": 50, "picture": 337},
+  "ground_furniture": {"lamp": 2, "bin": 1}
 })";
 
 }  // namespace

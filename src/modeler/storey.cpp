@@ -11,7 +11,7 @@ constexpr double door_from_corner_m = 0.3;
 // is to the left of who walks.
 Passage across_corridor(const Building& building, const CrossLine& line, const Storey& storey,
                         double from_m, double to_m) {
-  const double half = 0.5 * std::min(1.6, building.corridor_width_m - 0.4);
+  const double half = 0.5 * std::min(1.2, building.corridor_width_m - 0.4);
   const double walk = from_m < to_m ? 1.0 : -1.0;
   const Vec2 left = walk * Vec2(-line.ahead.y, line.ahead.x);
   const Vec2 near = line.at + from_m * line.ahead, far = line.at + to_m * line.ahead;
