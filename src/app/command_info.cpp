@@ -8,9 +8,8 @@
 #include <set>
 
 #include "app/command.hpp"
+#include "app/prepared_figures.hpp"
 #include "app/solve_summary.hpp"
-#include "app/text_table.hpp"
-#include "parallel/prepare.hpp"
 #include "report/stats_json.hpp"
 #include "scene/scene_io.hpp"
 
@@ -73,21 +72,6 @@ void add_scene(TextTable& table, const Scene& scene) {
             shown(figures.emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
 }
 
-void add_prepared(TextTable& table, const Prepared& prepared) {
-  const double n = static_cast<double>(prepared.clusters.size());
-  const double pairs = n * (n - 1.0) / 2.0;
-  const auto rooms = std::ranges::count(prepared.cells.cells(), CellKind::room, &Cell::kind);
-  table.add("cells", with_thousands(prepared.cells.open_cells()));
-  table.add("rooms among them", with_thousands(static_cast<std::uint64_t>(rooms)));
-  table.add("portals", with_thousands(prepared.cells.portals().size()));
-  table.add("clusters", with_thousands(prepared.clusters.size()));
-  const double share = pairs > 0 ? static_cast<double>(prepared.graph.edges()) / pairs : 0.0;
-  table.add("visible pairs", fmt::format("{} ({:.3g}% of all)",
-                                         with_thousands(prepared.graph.edges()), 100 * share));
-  table.add("covered area", fmt::format("{:.4g} m2", prepared.covered_area_m2));
-  table.add("time to prepare", format_duration(prepared.prepare_s));
-}
-
 void run_info(const std::string& input, Session& session) {
   TextTable table(input);
   if (std::error_code code; !std::filesystem::is_directory(input, code)) {
@@ -97,7 +81,8 @@ void run_info(const std::string& input, Session& session) {
   } else {
     const Prepared prepared = load_prepared(input);
     add_scene(table, prepared.scene);
-    add_prepared(table, prepared);
+    add_prepared_figures(table, prepared);
+    add_prepare_cost(table, prepared);
     if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
       const RunRecord stats = read_stats(file);
       for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/plan_files.hpp"
+#include "app/prepared_figures.hpp"
 #include "app/run_outputs.hpp"
 #include "app/text_table.hpp"
 #include "parallel/prepare.hpp"
@@ -14,6 +16,7 @@ namespace {
 
 struct PrepareOptions {
   std::string scene, run;
+  bool pictures = true;
 };
 
 void run_prepare(const PrepareOptions& options, Session& session) {
@@ -23,13 +26,18 @@ void run_prepare(const PrepareOptions& options, Session& session) {
   const Prepared prepared = prepare(scene, options.run, {}, warnings, console.progress());
   remove_run_outputs(options.run);  // of the solution that was dropped
   console.warnings(warnings);
+  if (options.pictures) {
+    const Occluders occluders(prepared.clusters);
+    const Building building{prepared.cells, prepared.clusters, occluders};
+    write_run_plans(options.run, floor_plans(building, cells_subject(building)));
+  }
   TextTable table(options.run);
   table.add("surfaces", with_thousands(prepared.scene.surfaces.size()));
   table.add("cells", with_thousands(prepared.cells.open_cells()));
   table.add("portals", with_thousands(prepared.cells.portals().size()));
   table.add("clusters", with_thousands(prepared.clusters.size()));
   table.add("visible pairs", with_thousands(prepared.graph.edges()));
-  table.add("time", format_duration(prepared.prepare_s));
+  add_prepare_cost(table, prepared);
   console.print(table.text());
 }
 
@@ -43,6 +51,8 @@ void add_prepare(CLI::App& cli, Command& chosen) {
       ->required();
   sub->add_option("-o,--output", options->run, "RUN directory to fill; a solution in it is dropped")
       ->required();
+  sub->add_flag("!--no-pictures", options->pictures,
+                "Draw no plans of the storeys into RUN/pictures");
   sub->footer(
       "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
       "solve does this by itself where it has not been done. One rank works, whatever mpirun "

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/plan_files.hpp"
 #include "app/solved_run.hpp"
 #include "report/camera.hpp"
 #include "report/solution_glb.hpp"
@@ -98,7 +99,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
                         solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
-  if (!page.pictures.empty()) make_directory(directory + "pictures");
+  if (outputs.pictures) write_run_plans(outputs.run_directory, page.plans);
   for (const Figure& figure : page.pictures) {
     write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png",
                           figure.png);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "parallel/peak_memory.hpp"
 #include "parallel/run_mark.hpp"
 #include "scene/scene_io.hpp"
 #include "store/graph_file.hpp"
@@ -63,6 +64,22 @@ auto load(const std::string& path, FromBytes from_bytes) {
   }
 }
 
+/// Writes down what each step takes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<PrepareStep>& steps) : steps_(steps) {}
+  void end_of(const char* step) {
+    const auto now = Clock::now();
+    steps_.push_back({step, std::chrono::duration<double>(now - start_).count(), peak_rss_bytes()});
+    start_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<PrepareStep>& steps_;
+  Clock::time_point start_ = Clock::now();
+};
+
 /// A run that is to be gone on with is not prepared anew, which would drop its solution.
 void refuse_to_drop(const std::string& run_directory) {
   std::error_code code;
@@ -80,10 +97,12 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   check_run_directory(run_directory);
   Prepared p;
   p.scene = scene;
+  Stopwatch stopwatch(p.steps);
   report_progress(progress, "pieces", 0.0);
   PieceReport report;
   const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
   p.covered_area_m2 = report.covered_area_m2;
+  stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);
   p.cells = build_cells(pieces, config.cells);
   std::vector<CellPiece> cell_pieces;
@@ -91,12 +110,15 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
     const std::vector<CellPiece> parts = p.cells.cut(piece);
     cell_pieces.insert(cell_pieces.end(), parts.begin(), parts.end());
   }
+  stopwatch.end_of("cells");
   report_progress(progress, "clusters", 0.4);
   cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
   report_progress(progress, "clusters", 0.5);
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters);
+  stopwatch.end_of("clusters");
   report_progress(progress, "visibility", 0.6);
   p.graph = visible_clusters(p.cells, p.clusters, progress);
+  stopwatch.end_of("visibility");
 
   // Everything is computed before anything is written: a bad scene leaves no half-made RUN.
   claim_run_directory(run_directory);
@@ -109,7 +131,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   p.warnings = warnings;
   write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.covered_area_m2,
-                                 p.prepare_s, p.warnings});
+                                 p.prepare_s, p.steps, p.warnings});
   report_progress(progress, "visibility", 1.0);
   return p;
 }
@@ -136,6 +158,7 @@ Prepared load_prepared(const std::string& run_directory) {
   p.clusters = load(run_directory + "/clusters.bin", clusters_from_bytes);
   p.graph = read_graph(run_directory + "/graph.txt");
   p.prepare_s = mark->prepare_s;
+  p.steps = mark->steps;
   p.covered_area_m2 = mark->covered_area_m2;
   p.warnings = mark->warnings;
   return p;

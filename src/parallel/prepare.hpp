@@ -11,6 +11,7 @@
 #include "clusters/cluster.hpp"
 #include "clusters/sealed_parts.hpp"
 #include "comm/communicator.hpp"
+#include "parallel/run_mark.hpp"
 #include "scene/scene.hpp"
 #include "visibility/cluster_graph.hpp"
 
@@ -28,9 +29,10 @@ struct Prepared {
   CellComplex cells;
   std::vector<Cluster> clusters;
   ClusterGraph graph;
-  double prepare_s = 0.0;        ///< wall seconds that the preparation took
-  double covered_area_m2 = 0.0;  ///< of surfaces covered by coplanar ones
-  Warnings warnings;             ///< what the scene gave rise to
+  double prepare_s = 0.0;          ///< wall seconds that the preparation took
+  std::vector<PrepareStep> steps;  ///< pieces, cells, clusters, visibility
+  double covered_area_m2 = 0.0;    ///< of surfaces covered by coplanar ones
+  Warnings warnings;               ///< what the scene gave rise to
 };
 
 /// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr int run_version = 2;  // 2: with the steps of the preparation
 constexpr const char* name_another = "name another directory with -o";
 
 std::string mark_path(const std::string& run_directory) { return run_directory + "/run.json"; }
@@ -39,12 +40,15 @@ std::optional<RunMark> read_run_mark(const std::string& run_directory) {
   const auto format = json.is_object() ? json.find("format") : json.end();
   if (format == json.end() || *format != "enfilade-run") return std::nullopt;
   try {
-    if (json.at("version") != 1) return RunMark{};
+    if (json.at("version") != run_version) return RunMark{};
     RunMark mark;
     mark.scene_hash = hash_from_text(json.at("scene_hash"));
     mark.options = json.at("options").dump();
     mark.covered_area_m2 = json.at("covered_area_m2");
     mark.prepare_s = json.at("prepare_s");
+    for (const Json& step : json.at("steps")) {
+      mark.steps.push_back({step.at("name"), step.at("wall_s"), step.at("peak_rss_bytes")});
+    }
     for (const Json& w : json.at("warnings")) mark.warnings.add(w.at(0), w.at(1));
     mark.prepared = json.at("prepared");
     return mark;
@@ -57,13 +61,19 @@ std::optional<RunMark> read_run_mark(const std::string& run_directory) {
 void write_run_mark(const std::string& run_directory, const RunMark& mark) {
   Json warnings = Json::array();
   for (const Warning& w : mark.warnings.all()) warnings.push_back({w.where, w.what});
+  Json steps = Json::array();
+  for (const PrepareStep& step : mark.steps) {
+    steps.push_back(
+        {{"name", step.name}, {"wall_s", step.wall_s}, {"peak_rss_bytes", step.peak_rss_bytes}});
+  }
   const Json json = {{"format", "enfilade-run"},
-                     {"version", 1},
+                     {"version", run_version},
                      {"prepared", mark.prepared},
                      {"scene_hash", hash_text(mark.scene_hash)},
                      {"options", Json::parse(mark.options.empty() ? "{}" : mark.options)},
                      {"covered_area_m2", mark.covered_area_m2},
                      {"prepare_s", mark.prepare_s},
+                     {"steps", steps},
                      {"warnings", warnings}};
   replace_file(mark_path(run_directory),
                json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -4,10 +4,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/warnings.hpp"
 
 namespace enfilade {
+
+/// What one step of the preparation took.
+struct PrepareStep {
+  std::string name;
+  double wall_s = 0.0;
+  std::uint64_t peak_rss_bytes = 0;  ///< of the process, from its start to the step's end
+};
 
 struct RunMark {
   bool prepared = false;  ///< false: it is being prepared, or was left so, or is damaged
@@ -15,6 +23,7 @@ struct RunMark {
   std::string options;  ///< of the preparation, as a text to compare
   double covered_area_m2 = 0.0;
   double prepare_s = 0.0;
+  std::vector<PrepareStep> steps;
   Warnings warnings;  ///< what the scene gave rise to
 };
 

@@ -1,9 +1,9 @@
 #include "parallel/run_statistics.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "parallel/peak_memory.hpp"
 
 namespace enfilade {
 namespace {
@@ -73,12 +73,6 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
 }
 
 }  // namespace
-
-std::uint64_t peak_rss_bytes() {
-  struct rusage usage {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectrum& emitted,
                             const std::vector<IterationSummary>& history, const IterationPlan& last,

@@ -21,9 +21,6 @@ struct RankStatistics {
   MessageCount sent;
 };
 
-/// Bytes of memory that this process has used at most.
-std::uint64_t peak_rss_bytes();
-
 /// All ranks call it. On rank 0: the record, without wall_s and solve_s; elsewhere it is empty.
 RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectrum& emitted,
                             const std::vector<IterationSummary>& history, const IterationPlan& last,

@@ -217,15 +217,15 @@ void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config,
 }  // namespace
 
 std::vector<Camera> automatic_cameras(const SolvedScene& solved, const AutoCameraConfig& config) {
-  const std::vector<Storey> levels = storeys(solved);
+  const std::vector<Storey> levels = storeys(solved.building());
   double headroom_m = levels.front().headroom_m;
   for (const Storey& s : levels) headroom_m = std::max(headroom_m, s.headroom_m);
   std::vector<Camera> cameras;
   add_inside_views(solved, config, std::min(config.eye_height_m, 0.6 * headroom_m), cameras);
   for (std::size_t i = 0; config.cut_away && i < levels.size(); ++i) {
     if (static_cast<int>(i) >= config.most_storeys) break;
-    cameras.push_back(
-        cut_away(room_bounds(solved), levels[i], "storey-" + std::to_string(i + 1), config.aspect));
+    cameras.push_back(cut_away(room_bounds(solved.building()), levels[i],
+                               "storey-" + std::to_string(i + 1), config.aspect));
   }
   return cameras;
 }

@@ -4,173 +4,183 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
+#include <functional>
+#include <tuple>
 
-#include "report/storeys.hpp"
+#include "report/level_section.hpp"
+#include "report/plan_marks.hpp"
+#include "report/plan_outline.hpp"
+#include "report/plan_sheet.hpp"
 
 namespace enfilade {
 
 namespace {
 
-/// Convex parts of the level section at height z, each in one cell.
-void section_of(const CellComplex& cells, std::int32_t node, const Polygon& polygon,
-                std::map<std::uint32_t, std::vector<Polygon>>& parts) {
-  if (polygon.size() < 3) return;
-  const BspNode& n = cells.nodes()[static_cast<std::size_t>(node)];
-  if (n.front < 0 && n.back < 0) {
-    if (n.cell.valid()) parts[n.cell.value].push_back(polygon);
-    return;
-  }
-  // A plane that lies in the section's plane has it all on one side.
-  const bool level = std::abs(n.plane.n.z) > 1.0 - 1e-9;
-  auto [front, back] =
-      level ? std::pair<Polygon, Polygon>{} : split(polygon, n.plane, cells.tolerance_m());
-  if (level) (n.plane.signed_distance(polygon[0]) >= 0.0 ? front : back) = polygon;
-  if (n.front >= 0) section_of(cells, n.front, front, parts);
-  if (n.back >= 0) section_of(cells, n.back, back, parts);
+std::vector<Path> ground_paths(const std::vector<Polygon>& polygons) {
+  std::vector<Path> paths;
+  for (const Polygon& polygon : polygons) paths.emplace_back(polygon.begin(), polygon.end());
+  return paths;
 }
 
-/// The plan's drawing: metres, y up turned into SVG's y down.
-class Drawing {
- public:
-  Drawing(const Box& box) : box_(box) {}
-  void open(const std::string& title) {
-    const Vec3 size = box_.extent();
-    const double margin = 0.02 * std::max(size.x, size.y);
-    fmt::format_to(
-        out(),
-        R"(<svg class="plan" role="img" aria-label="{}" viewBox="{:.2f} {:.2f} {:.2f} {:.2f}">)",
-        title, -margin, -margin, size.x + 2 * margin, size.y + 2 * margin);
+void draw_cells(Drawing& drawing, const std::vector<CellSection>& sections,
+                const PlanSubject& subject) {
+  for (const CellSection& section : sections) {
+    const bool known = section.cell.valid();
+    const Rgb8 colour = known ? subject.cells[section.cell.index()] : plan_ink::solid;
+    // The thin stroke closes the hairlines that viewers leave between areas.
+    Shape shape{"cell", ground_paths(section.parts), colour, colour, 0.6, true, ""};
+    if (known)
+      shape.tip = fmt::format("{}, {:.4g} m2 here", subject.cell_tips[section.cell.index()],
+                              section.area_m2);
+    drawing.map.push_back(std::move(shape));
   }
-  void close() { svg += "</svg>"; }
-  std::string point(const Vec3& p) const {
-    return fmt::format("{:.2f} {:.2f}", p.x - box_.lo.x, box_.hi.y - p.y);
-  }
-  void fill(const std::vector<Polygon>& parts, const std::string& colour, const std::string& tip) {
-    fmt::format_to(out(), R"(<path class="cell" fill="{}" stroke="{}" d=")", colour, colour);
-    for (const Polygon& part : parts) {
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        fmt::format_to(out(), "{}{}", i == 0 ? "M" : "L", point(part[i]));
-      }
-      svg += "Z";
-    }
-    fmt::format_to(out(), R"("><title>{}</title></path>)", tip);
-  }
-  void lines(const std::vector<std::pair<Vec3, Vec3>>& segments) {
-    svg += R"(<path class="wall" d=")";
-    for (const auto& [a, b] : segments) fmt::format_to(out(), "M{}L{}", point(a), point(b));
-    svg += "\"/>";
-  }
-  void dot(const Vec3& p, double radius_m, const std::string& colour, const std::string& tip) {
-    fmt::format_to(
-        out(),
-        R"(<circle class="cluster" cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="{}"><title>{}</title></circle>)",
-        p.x - box_.lo.x, box_.hi.y - p.y, radius_m, colour, tip);
-  }
-  std::string svg;
-
- private:
-  std::back_insert_iterator<std::string> out() { return std::back_inserter(svg); }
-  Box box_;
-};
-
-/// Where polygons that stand cross the section.
-std::vector<std::pair<Vec3, Vec3>> wall_lines(const SolvedScene& solved, double z_m) {
-  std::vector<std::pair<Vec3, Vec3>> lines;
-  for (const Cluster& cluster : solved.clusters) {
-    if (cluster.bounds.lo.z > z_m || cluster.bounds.hi.z < z_m) continue;
-    for (const ClusterPolygon& polygon : cluster.polygons) {
-      std::vector<Vec3> crossings;
-      const Polygon& p = polygon.polygon;
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        const Vec3 &a = p[i], &b = p[(i + 1) % p.size()];
-        if ((a.z < z_m) == (b.z < z_m)) continue;
-        crossings.push_back(a + (z_m - a.z) / (b.z - a.z) * (b - a));
-      }
-      if (crossings.size() == 2) lines.emplace_back(crossings[0], crossings[1]);
-    }
-  }
-  return lines;
 }
 
-/// The rank that has most of each cell's surface; -1 for a cell without clusters.
-std::vector<int> rank_of_cells(const SolvedScene& solved, std::span<const Rank> owner) {
-  std::vector<std::map<int, double>> area(solved.cells.cells().size());
-  for (std::size_t c = 0; c < std::min(owner.size(), solved.clusters.size()); ++c) {
-    const Cluster& cluster = solved.clusters[c];
-    if (cluster.cell.valid() && cluster.cell.index() < area.size()) {
-      area[cluster.cell.index()][owner[c].value] += cluster.area_m2;
+void draw_clusters(Drawing& drawing, const Building& building,
+                   const std::vector<ClusterMark>& marks, const PlanSubject& subject) {
+  // Seen ones, with their stronger lines, over those that are not.
+  std::vector<const ClusterMark*> order;
+  for (const ClusterMark& mark : marks) order.push_back(&mark);
+  const auto ink = [&](const ClusterMark* mark) -> const ClusterInk& {
+    return subject.clusters[mark->id.index()];
+  };
+  std::ranges::stable_sort(order, [&](const auto* a, const auto* b) {
+    return std::tuple(!a->below, ink(a).width_px) < std::tuple(!b->below, ink(b).width_px);
+  });
+  for (const ClusterMark* mark : order) {
+    const Cluster& cluster = building.clusters[mark->id.index()];
+    Shape shape;
+    shape.kind = mark->below ? "furniture" : "surface";
+    shape.paths = mark->paths;
+    shape.closed = mark->below;
+    if (mark->below) shape.fill = ink(mark).fill;
+    shape.stroke =
+        mark->below && ink(mark).line == plan_ink::black ? plan_ink::soft : ink(mark).line;
+    shape.width_px = mark->below ? 1.0 : ink(mark).width_px;
+    shape.tip = fmt::format("cluster {}", cluster.id.value);
+    if (cluster.cell.valid()) shape.tip += fmt::format(", cell {}", cluster.cell.value);
+    for (const std::string& more : {cluster.object, ink(mark).tip}) {
+      if (!more.empty()) shape.tip += ", " + more;
     }
+    drawing.map.push_back(std::move(shape));
   }
-  std::vector<int> ranks;
-  for (const auto& shares : area) {
-    int best = -1;
-    double most = 0.0;
-    for (const auto& [rank, m2] : shares) {
-      if (m2 > most) most = m2, best = rank;
-    }
-    ranks.push_back(best);
-  }
-  return ranks;
 }
 
-std::string kind_colour(CellKind kind) {
-  if (kind == CellKind::solid) return "var(--solid)";
-  return kind == CellKind::outside ? "var(--outside)" : "var(--room)";
+Rgb8 ink_of(PortalSide side) {
+  if (side == PortalSide::solid) return plan_ink::into_solid;
+  return side == PortalSide::outside ? plan_ink::to_outside : plan_ink::doorway;
 }
 
-FloorPlan draw(const SolvedScene& solved, std::span<const Rank> owner, const Storey& storey,
-               int number) {
-  const Box box = room_bounds(solved);
-  const double z_m = storey.floor_m + std::min(1.2, 0.45 * storey.headroom_m);
-  FloorPlan plan;
-  plan.title = fmt::format("storey {}, cut at {:.2f} m", number, z_m);
-  Drawing drawing(box);
-  drawing.open(plan.title);
-  std::map<std::uint32_t, std::vector<Polygon>> parts;
-  const Polygon whole{{box.lo.x, box.lo.y, z_m},
-                      {box.hi.x, box.lo.y, z_m},
-                      {box.hi.x, box.hi.y, z_m},
-                      {box.lo.x, box.hi.y, z_m}};
-  if (!solved.cells.nodes().empty()) section_of(solved.cells, 0, whole, parts);
-  const std::vector<int> ranks = rank_of_cells(solved, owner);
-  for (const auto& [cell, polygons] : parts) {
-    const CellKind kind = solved.cells.cells()[cell].kind;
-    const bool owned = kind == CellKind::room && ranks[cell] >= 0;
-    const std::string colour = owned ? rank_colour(ranks[cell]) : kind_colour(kind);
-    const std::string tip =
-        owned ? fmt::format("cell {}, rank {}", cell, ranks[cell]) : fmt::format("cell {}", cell);
-    drawing.fill(polygons, colour, tip);
+void draw_portals(Drawing& drawing, const CellComplex& complex,
+                  const std::vector<PortalMark>& marks) {
+  // Doorways come last, over what leads into solids.
+  std::vector<PortalMark> order = marks;
+  std::ranges::stable_sort(order, std::greater<>(), &PortalMark::side);
+  for (const PortalMark& mark : order) {
+    const Portal& portal = complex.portals()[mark.id.index()];
+    Shape shape;
+    shape.kind = "portal";
+    shape.paths = mark.lines;
+    shape.closed = false;
+    shape.stroke = ink_of(mark.side);
+    if (mark.view == PortalView::level) {
+      shape.width_px = 1.0;
+    } else {
+      shape.width_px = mark.side == PortalSide::solid ? 2.0
+                       : mark.view == PortalView::cut ? 4.0
+                                                      : 3.0;
+    }
+    shape.tip = fmt::format("portal {}, cells {} and {}, {:.3g} m2", mark.id.value, portal.a.value,
+                            portal.b.value, area_m2(portal.polygon));
+    drawing.map.push_back(std::move(shape));
   }
-  drawing.lines(wall_lines(solved, z_m));
-  const double dot_m = 0.0024 * std::max(box.extent().x, box.extent().y);
-  for (std::size_t c = 0; c < std::min(owner.size(), solved.clusters.size()); ++c) {
-    const Vec3 p = solved.clusters[c].bounds.center();
-    if (p.z < storey.floor_m - 0.1 || p.z > storey.floor_m + storey.headroom_m + 0.1) continue;
-    drawing.dot(p, dot_m, rank_colour(owner[c].value),
-                fmt::format("cluster {}, rank {}", c, owner[c].value));
+}
+
+/// Numbers of cells where they fit, larger cells first; none over another.
+void write_numbers(Drawing& drawing, const CellComplex& complex, const PlanSubject& subject,
+                   std::vector<CellSection> sections) {
+  std::ranges::stable_sort(sections,
+                           [](const auto& a, const auto& b) { return a.area_m2 > b.area_m2; });
+  std::vector<Box> taken;
+  for (const CellSection& section : sections) {
+    if (!section.cell.valid()) continue;
+    if (complex.cells()[section.cell.index()].kind == CellKind::solid) continue;
+    const InnerCircle circle = largest_circle(section.parts);
+    Words words{drawing.frame.to_px(circle.centre), std::to_string(section.cell.value), 0.0,
+                plan_ink::black, true};
+    const double radius_px = circle.radius_m * drawing.frame.px_per_m;
+    words.size_px = std::clamp(0.8 * radius_px, 11.0, 21.0);
+    const double half_px = 0.5 * width_px(words);
+    if (radius_px < 4.0) continue;
+    Box box;
+    box.add(Vec3(words.at_px - Vec2(half_px, 0.5 * words.size_px), 0.0));
+    box.add(Vec3(words.at_px + Vec2(half_px, 0.5 * words.size_px), 0.0));
+    if (std::ranges::any_of(taken, [&](const Box& b) { return b.overlaps(box); })) continue;
+    taken.push_back(box);
+    const Vec2 lo(box.lo), hi(box.hi), more(3.0, 2.0);
+    drawing.sheet.push_back(
+        {"number",
+         {{lo - more, {hi.x + more.x, lo.y - more.y}, hi + more, {lo.x - more.x, hi.y + more.y}}},
+         subject.cells[section.cell.index()],
+         std::nullopt,
+         0.0,
+         true,
+         ""});
+    drawing.words.push_back(words);
   }
-  drawing.close();
-  plan.svg = std::move(drawing.svg);
-  return plan;
+}
+
+PlanContents contents_of(const std::vector<PortalMark>& portals,
+                         const std::vector<ClusterMark>& clusters) {
+  PlanContents contents;
+  for (const PortalMark& mark : portals) {
+    contents.doorways |= mark.side == PortalSide::room;
+    contents.to_outside |= mark.side == PortalSide::outside;
+    contents.into_solids |= mark.side == PortalSide::solid;
+    contents.beyond |= mark.view == PortalView::beyond;
+    contents.level |= mark.view == PortalView::level;
+  }
+  contents.furniture = std::ranges::any_of(clusters, &ClusterMark::below);
+  return contents;
 }
 
 }  // namespace
 
-std::string rank_colour(int rank) {
-  // Ten colours that stay apart for most eyes, then hues by the golden angle.
-  constexpr const char* first[] = {"#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#76b7b2",
-                                   "#edc948", "#b07aa1", "#9c755f", "#ff9da7", "#8a8580"};
-  if (rank >= 0 && rank < 10) return first[rank];
-  return fmt::format("hsl({:.0f} {}% {}%)", std::fmod(rank * 137.508, 360.0), 45 + rank * 7 % 25,
-                     48 + rank * 5 % 20);
+FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
+                     const PlanSubject& subject, const FloorPlanConfig& config) {
+  const auto index = static_cast<std::size_t>(number - 1);
+  Storey storey = storeys[index];
+  if (index + 1 < storeys.size())
+    storey.headroom_m = std::min(storey.headroom_m, storeys[index + 1].floor_m - storey.floor_m);
+  const PlanCut cut{storey, storey.floor_m + std::min(config.cut_m, 0.45 * storey.headroom_m)};
+  FloorPlan plan{
+      number,
+      subject.name,
+      fmt::format("Storey {}: floor at {:.2f} m, cut at {:.2f} m", number, storey.floor_m, cut.z_m),
+      {}};
+  const Box ground = room_bounds(building);
+  const double step_m = std::max(ground.extent().x, ground.extent().y) / 130.0;
+  std::vector<PortalMark> portals;
+  if (subject.portals) portals = portal_marks(building.cells, cut, step_m);
+  const std::vector<ClusterMark> clusters = cluster_marks(building.clusters, cut);
+  plan.drawing = plan_sheet(ground, plan.title, subject, contents_of(portals, clusters));
+  Box frame;
+  frame.add(Vec3(plan.drawing.frame.lo_m, 0.0));
+  frame.add(Vec3(plan.drawing.frame.hi_m, 0.0));
+  const auto sections = level_section(building.cells, frame, cut.z_m);
+  draw_cells(plan.drawing, sections, subject);
+  draw_clusters(plan.drawing, building, clusters, subject);
+  draw_portals(plan.drawing, building.cells, portals);
+  write_numbers(plan.drawing, building.cells, subject, sections);
+  return plan;
 }
 
-std::vector<FloorPlan> floor_plans(const SolvedScene& solved, std::span<const Rank> owner) {
+std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
+                                   const FloorPlanConfig& config) {
+  const std::vector<Storey> all = storeys(building);
   std::vector<FloorPlan> plans;
-  for (const Storey& storey : storeys(solved)) {
-    plans.push_back(draw(solved, owner, storey, static_cast<int>(plans.size()) + 1));
+  for (int number = 1; number <= static_cast<int>(all.size()); ++number) {
+    plans.push_back(floor_plan(building, all, number, subject, config));
   }
   return plans;
 }

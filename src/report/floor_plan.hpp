@@ -1,25 +1,32 @@
-// Plans: a level section through cells and walls, coloured by rank.
+// Plans: a level cut through each storey's cells, portals and clusters.
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
-#include "base/ids.hpp"
-#include "report/solved_scene.hpp"
+#include "report/building.hpp"
+#include "report/drawing.hpp"
+#include "report/plan_subject.hpp"
+#include "report/storeys.hpp"
 
 namespace enfilade {
 
 struct FloorPlan {
-  std::string title;  ///< "storey 1, cut at 1.20 m"
-  std::string svg;
+  int storey = 1;       ///< lowest = 1
+  std::string subject;  ///< PlanSubject::name
+  std::string title;    ///< "Storey 1: floor at 0.00 m, cut at 1.20 m"
+  Drawing drawing;
 };
 
-/// One plan a storey, cut 1.2 m above its floor: walls as lines, each cell in the colour of the
-/// rank that has most of its surface, a dot for each cluster in its own rank's colour. `owner`
-/// empty: cells by kind.
-std::vector<FloorPlan> floor_plans(const SolvedScene& solved, std::span<const Rank> owner);
+struct FloorPlanConfig {
+  double cut_m = 1.2;  ///< above the storey's floor; never above 45% of its height
+};
 
-/// CSS colour of a rank, well apart for neighbouring ranks.
-std::string rank_colour(int rank);
+/// One storey, as the subject colours it; `storeys` are all, `number` counts from 1.
+FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
+                     const PlanSubject& subject, const FloorPlanConfig& config = {});
+/// All storeys, lowest first.
+std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
+                                   const FloorPlanConfig& config = {});
 
 }  // namespace enfilade

@@ -158,23 +158,11 @@ std::string time_by_rank(const RunRecord& stats) {
 }
 
 std::string plans(const RunPage& run) {
-  if (run.plans.empty()) return "";
-  const int ranks = static_cast<int>(run.stats.number("ranks", 0.0));
-  std::string html = "<h3>Cells, coloured by rank</h3>";
-  if (ranks > 0 && ranks <= 32) {
-    html += "<div class=\"legend\">";
-    for (int r = 0; r < ranks; ++r) {
-      html +=
-          fmt::format(R"(<span><i style="background:{}"></i>rank {}</span>)", rank_colour(r), r);
-    }
-    html += "</div>";
-  }
-  html += "<div class=\"grid2\">";
+  std::string html;
   for (const FloorPlan& plan : run.plans) {
-    html += "<figure class=\"card\">" + plan.svg + "<figcaption>" + escaped(plan.title) +
-            "</figcaption></figure>";
+    html += "<figure class=\"card\">" + to_inline_svg(plan.drawing) + "</figure>";
   }
-  return html + "</div>";
+  return html.empty() ? "" : "<h3>Plans</h3><div class=\"stack\">" + html + "</div>";
 }
 
 std::string stats_table(const RunRecord& stats) {

@@ -32,6 +32,9 @@ struct RunPage {
 /// Reads RUN's stats.json, history.json, warnings.json and scene.json (its licence); no pictures
 /// yet. Throws InputError where RUN has no stats.json.
 RunPage read_run_page(const std::string& run_directory);
+/// Plans of each storey's cells and, where there are several ranks, of the assignment. `owner` may
+/// be empty.
+std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner);
 /// Renders the pictures (tone-mapped; the first from within and the first cut-away also in false
 /// colour) and draws the plans.
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,

@@ -4,9 +4,9 @@ namespace enfilade {
 
 const char* const report_style = R"css(
 :root{--paper:#fbfaf8;--card:#fff;--ink:#1d2129;--soft:#667080;--line:#e2e0db;--accent:#b45f06;
---compute:#4e79a7;--io:#f28e2b;--idle:#c9c5bd;--solid:#8b8f96;--outside:#eef1f4;--room:#f5e6c8;color-scheme:light dark}
+--compute:#4e79a7;--io:#f28e2b;--idle:#c9c5bd;color-scheme:light dark}
 @media (prefers-color-scheme:dark){:root{--paper:#14161a;--card:#1c1f25;--ink:#e6e4df;--soft:#98a1ae;--line:#31353d;
---accent:#f0a94e;--compute:#6d9bcb;--io:#f2a154;--idle:#555a63;--solid:#4c5058;--outside:#1a1d22;--room:#574a31}}
+--accent:#f0a94e;--compute:#6d9bcb;--io:#f2a154;--idle:#555a63}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",sans-serif}
 main{max-width:1120px;margin:0 auto;padding:40px 24px 64px}
@@ -22,11 +22,9 @@ figure{margin:0}figure img{display:block;width:100%;height:auto;border-radius:10
 figcaption{color:var(--soft);font-size:13px;padding:6px 2px 0}
 .hero{margin:22px 0}.grid2{display:grid;grid-template-columns:repeat(auto-fit,minmax(320px,1fr));gap:20px}
 .card{background:var(--card);border:1px solid var(--line);border-radius:10px;padding:16px}
-svg{display:block;width:100%;height:auto}
+.card>svg{display:block;width:100%;height:auto}
 .grid{stroke:var(--line);stroke-width:1}.tick{fill:var(--soft);font:12px system-ui,sans-serif}
-.plan{max-height:560px}.plan .cell{stroke-width:.02;fill-opacity:.82}
-.plan .wall{fill:none;stroke:var(--ink);stroke-width:.05;stroke-linecap:round}
-.plan .cluster{stroke:var(--card);stroke-width:.015}
+.plan{background:#fff;border-radius:6px}.stack{display:grid;gap:20px}
 .legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:13px;color:var(--soft);margin-bottom:8px}
 .legend i{display:inline-block;width:11px;height:11px;border-radius:3px;margin-right:6px}
 .scroll{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:14px}

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "report/false_colour.hpp"
@@ -22,6 +23,16 @@ RunPage read_run_page(const std::string& run_directory) {
   return page;
 }
 
+std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner) {
+  std::vector<FloorPlan> plans = floor_plans(building, cells_subject(building));
+  const auto other = [&](const Rank& rank) { return rank != owner.front(); };
+  if (owner.size() == building.clusters.size() && std::ranges::any_of(owner, other)) {
+    for (FloorPlan& plan : floor_plans(building, assignment_subject(building, owner)))
+      plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
                   std::span<const Rank> owner, const RenderConfig& config,
                   const Progress& progress) {
@@ -42,7 +53,7 @@ void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Came
     }
     shown = true;
   }
-  page.plans = floor_plans(solved, owner);
+  page.plans = plans_of_run(solved.building(), owner);
 }
 
 }  // namespace enfilade

@@ -3,10 +3,8 @@
 
 #include <span>
 
-#include "cells/cell_complex.hpp"
-#include "clusters/cluster.hpp"
 #include "radiosity/cluster_state.hpp"
-#include "radiosity/occluders.hpp"
+#include "report/building.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -18,6 +16,8 @@ struct SolvedScene {
   std::span<const Cluster> clusters;
   std::span<const ClusterState> states;
   const Occluders& occluders;  ///< made of `clusters`
+
+  Building building() const { return {cells, clusters, occluders}; }
 };
 
 }  // namespace enfilade

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "report/solved_scene.hpp"
+#include "report/building.hpp"
 
 namespace enfilade {
 
@@ -13,9 +13,9 @@ struct Storey {
 };
 
 /// Lowest first, at least one: heights where much upward area with headroom lies.
-std::vector<Storey> storeys(const SolvedScene& solved);
+std::vector<Storey> storeys(const Building& building);
 
 /// Box of what faces rooms; of all there is where no cell is a room.
-Box room_bounds(const SolvedScene& solved);
+Box room_bounds(const Building& building);
 
 }  // namespace enfilade

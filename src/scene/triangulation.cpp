@@ -1,46 +1,14 @@
 #include "scene/triangulation.hpp"
 
-#include <geos_c.h>
-
 #include <cmath>
 #include <map>
-#include <memory>
 #include <utility>
 
 #include "base/error.hpp"
+#include "scene/geos.hpp"
 
 namespace enfilade {
 namespace {
-
-class Geos {
- public:
-  struct Free {
-    GEOSContextHandle_t handle;
-    void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(handle, g); }
-  };
-  using Geometry = std::unique_ptr<GEOSGeometry, Free>;
-
-  Geos() : handle_(GEOS_init_r()) {}
-  ~Geos() { GEOS_finish_r(handle_); }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-  GEOSContextHandle_t handle() const { return handle_; }
-
-  Geometry own(GEOSGeometry* g) const { return {g, Free{handle_}}; }
-
-  Geometry polygon(const std::vector<Vec2>& ring) const {
-    const auto count = static_cast<unsigned>(ring.size());
-    GEOSCoordSequence* points = GEOSCoordSeq_create_r(handle_, count + 1, 2);
-    for (unsigned i = 0; i <= count; ++i) {
-      GEOSCoordSeq_setXY_r(handle_, points, i, ring[i % count].x, ring[i % count].y);
-    }
-    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle_, points);
-    return own(shell == nullptr ? nullptr : GEOSGeom_createPolygon_r(handle_, shell, nullptr, 0));
-  }
-
- private:
-  GEOSContextHandle_t handle_;
-};
 
 double signed_area(const std::vector<Vec2>& ring) {
   double twice = 0.0;

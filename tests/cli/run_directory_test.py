@@ -84,9 +84,13 @@ class OwnFiles(InRun):
 
     def test_prepare_takes_the_outputs_of_the_old_solution_away(self):
         (self.run_directory / "notes.txt").write_text("mine")
+        (self.run_directory / "pictures").mkdir()
+        (self.run_directory / "pictures/storey-1-assignment.svg").write_text("of the old solution")
         self.assertEqual(enfilade("prepare", ROOM, "-o", self.run_directory).returncode, 0)
         self.assertEqual(sorted(p.name for p in self.run_directory.iterdir()),
-                         ["cells.bin", "clusters.bin", "graph.txt", "notes.txt", "run.json", "scene.json"])
+                         ["cells.bin", "clusters.bin", "graph.txt", "notes.txt", "pictures", "run.json", "scene.json"])
+        self.assertEqual(sorted(p.name for p in (self.run_directory / "pictures").iterdir()),
+                         ["storey-1-cells.png", "storey-1-cells.svg"])
 
     def test_the_scene_is_kept_to_the_byte(self):
         self.assertEqual((self.run_directory / "scene.json").read_bytes(), ROOM.read_bytes())

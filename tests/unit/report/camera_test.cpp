@@ -73,7 +73,7 @@ TEST(Camera, FindsNoPlaceInTheDark) {
 
 TEST(Camera, StoreysAreFloorsWithHeadroom) {
   const LitRooms rooms = lit(1);
-  const auto levels = storeys(rooms.solved());
+  const auto levels = storeys(rooms.solved().building());
   ASSERT_EQ(levels.size(), 1u);
   EXPECT_NEAR(levels[0].floor_m, 0.0, 1e-9);
   EXPECT_NEAR(levels[0].headroom_m, 3.0, 0.11);

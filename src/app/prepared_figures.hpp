@@ -1,0 +1,14 @@
+// Figures of a preparation, as `info` and `prepare` print them.
+#pragma once
+
+#include "app/text_table.hpp"
+#include "parallel/prepare.hpp"
+
+namespace enfilade {
+
+/// Cells by kind, portals, clusters, G_cell, G_cluster.
+void add_prepared_figures(TextTable& table, const Prepared& prepared);
+/// Time and peak memory, step by step.
+void add_prepare_cost(TextTable& table, const Prepared& prepared);
+
+}  // namespace enfilade
