@@ -158,9 +158,9 @@ void check_together(const Building& building) {
   if (building.window_head_m < building.window_sill_m + 0.2) {
     throw building.fault("window_head", "is not above window_sill", "leave 0.2 m between them");
   }
-  if (std::max(building.door_height_m, building.window_head_m) > building.room_height_m - 0.05) {
+  if (std::max(building.door_height_m, building.window_head_m) > building.room_height_m - 0.1) {
     throw building.fault("room_height", "is less than what doors and windows need",
-                         "leave 0.05 m above them");
+                         "leave 0.1 m above them");
   }
   if (building.stairs > building.bays() || building.fire_doors >= building.bays()) {
     throw building.fault(building.stairs > building.bays() ? "stairs" : "fire_doors",
