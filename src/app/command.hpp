@@ -20,6 +20,7 @@ struct Command {
 
 /// Each adds one subcommand to `cli`; parsing it fills `chosen`. One file a subcommand:
 /// command_<name>.cpp.
+void add_generate(CLI::App& cli, Command& chosen);
 void add_import(CLI::App& cli, Command& chosen);
 void add_prepare(CLI::App& cli, Command& chosen);
 void add_solve(CLI::App& cli, Command& chosen);

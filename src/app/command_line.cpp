@@ -71,6 +71,7 @@ InputError fault_of(const CLI::App& cli, const CLI::ParseError& error) {
 }
 
 void add_subcommands(CLI::App& cli, Command& chosen) {
+  add_generate(cli, chosen);
   add_import(cli, chosen);
   add_prepare(cli, chosen);
   add_solve(cli, chosen);

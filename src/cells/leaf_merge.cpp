@@ -221,10 +221,11 @@ class Merger {
       total += graph_[i].volume;
     }
     std::sort(by_volume.begin(), by_volume.end());
+    const double largest = config_.crumb_room_share * typical_volume_m3(graph_);
     double crumbs = 0.0;
     for (const auto& [volume, i] : by_volume) {
       crumbs += volume;
-      if (crumbs > config_.crumb_share * total) break;
+      if (crumbs > config_.crumb_share * total || volume > largest) break;
       const std::uint32_t g = graph_.find(i);
       if (g == outside_group || graph_[g].volume > config_.crumb_share * total) continue;
       double most = 0.0;

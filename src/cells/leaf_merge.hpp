@@ -32,6 +32,9 @@ struct MergeConfig {
   double enclosed_share = 0.55;
   /// The smallest groups, up to this share of all enclosed volume, are no cells of their own.
   double crumb_share = 0.01;
+  /// ... but for those larger than this share of a typical room: a house of two hundred rooms would
+  /// miss two.
+  double crumb_room_share = 0.1;
   RoomConfig rooms;
 };
 

@@ -49,13 +49,15 @@ bool has_door(const LeafGroup& g, const std::vector<char>& is_room, double door_
 
 }  // namespace
 
+double typical_volume_m3(const LeafGraph& graph) { return typical(graph, volume); }
+
 // Real walls and floors are layers with faces of every direction between them, so that the faces
 // alone do not tell them from rooms.
 std::vector<char> find_rooms(const LeafGraph& graph, const RoomConfig& config) {
   std::vector<char> is_room(graph.size(), 0);
   is_room[LeafGraph::outside] = 1;
   const double least = config.thin_share * typical(graph, chord);
-  const double closet = config.closet_share * typical(graph, volume);
+  const double closet = config.closet_share * typical_volume_m3(graph);
   for (std::uint32_t i = 1; i < graph.size(); ++i) {
     is_room[i] = graph.alive(i) && !graph[i].is_solid() && chord(graph[i]) >= least;
   }

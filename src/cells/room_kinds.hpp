@@ -20,4 +20,7 @@ struct RoomConfig {
 /// By group: a room, or the outside.
 std::vector<char> find_rooms(const LeafGraph& graph, const RoomConfig& config);
 
+/// Half of all volume that is no solid lies in groups of at least this volume, m3.
+double typical_volume_m3(const LeafGraph& graph);
+
 }  // namespace enfilade

@@ -1,0 +1,35 @@
+// What things are made of, and how much of the light they give back.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace enfilade {
+
+enum class Material {
+  ceiling,
+  wall,
+  floor,
+  corridor_floor,
+  facade,
+  concrete,
+  wood,
+  metal,
+  textile,
+  plastic,
+  screen,
+  glass,
+  leaves,
+  picture,
+  lamp
+};
+
+/// Several paints and cloths: the variant chooses one, any number will do.
+struct Finish {
+  Material material = Material::wall;
+  unsigned variant = 0;
+};
+
+/// Red, green and blue, or one grey band of the same luminance.
+Spectrum reflectance_of(const Finish& finish, bool colours);
+
+}  // namespace enfilade
