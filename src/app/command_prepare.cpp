@@ -17,13 +17,16 @@ namespace {
 struct PrepareOptions {
   std::string scene, run;
   bool pictures = true;
+  bool prove_hidden = false;
 };
 
 void run_prepare(const PrepareOptions& options, Session& session) {
   const Console& console = session.console();
   Warnings warnings;
   const Scene scene = read_scene(options.scene, warnings);
-  const Prepared prepared = prepare(scene, options.run, {}, warnings, console.progress());
+  PrepareConfig config;
+  config.visibility.prove_hidden = options.prove_hidden;
+  const Prepared prepared = prepare(scene, options.run, config, warnings, console.progress());
   remove_run_outputs(options.run);  // of the solution that was dropped
   console.warnings(warnings);
   if (options.pictures) {
@@ -51,6 +54,9 @@ void add_prepare(CLI::App& cli, Command& chosen) {
       ->required();
   sub->add_option("-o,--output", options->run, "RUN directory to fill; a solution in it is dropped")
       ->required();
+  sub->add_flag("--prove-hidden", options->prove_hidden,
+                "Leave out pairs of clusters that are proved hidden by what stands between: up to "
+                "half of the pairs, for several times the time. Solve the RUN itself then");
   sub->add_flag("!--no-pictures", options->pictures,
                 "Draw no plans of the storeys into RUN/pictures");
   sub->footer(

@@ -23,10 +23,13 @@ std::string text_of(const std::string& path) {
 /// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
 /// option compiles unless it is put here too.
 std::string options_of(const PrepareConfig& config) {
-  const auto& [cells, sealed, clusters] = config;
+  const auto& [cells, sealed, clusters, visibility] = config;
   const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
+  const auto& [max_passes, prove_hidden, occlusion] = visibility;
+  const auto& [first_rays, rays, max_pair_parts, max_planes, most_open, max_pieces, pair_seed] =
+      occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -39,7 +42,16 @@ std::string options_of(const PrepareConfig& config) {
                                        {"cluster_max_polygons", max_polygons},
                                        {"cluster_max_extent_share", max_extent_share},
                                        {"cluster_large_share", large_share},
-                                       {"cluster_pool_polygons", pool_polygons}};
+                                       {"cluster_pool_polygons", pool_polygons},
+                                       {"visibility_max_passes", max_passes},
+                                       {"visibility_prove_hidden", prove_hidden},
+                                       {"occlusion_first_rays", first_rays},
+                                       {"occlusion_rays", rays},
+                                       {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_max_planes", max_planes},
+                                       {"occlusion_most_open", most_open},
+                                       {"occlusion_max_pieces", max_pieces},
+                                       {"occlusion_seed", pair_seed}};
   return json.dump();
 }
 
@@ -117,7 +129,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters);
   stopwatch.end_of("clusters");
   report_progress(progress, "visibility", 0.6);
-  p.graph = visible_clusters(p.cells, p.clusters, progress);
+  p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);
   stopwatch.end_of("visibility");
 
   // Everything is computed before anything is written: a bad scene leaves no half-made RUN.

@@ -21,6 +21,7 @@ struct PrepareConfig {
   CellComplex::Config cells;
   SealedConfig sealed;
   ClusterConfig clusters;
+  VisibilityConfig visibility;
 };
 
 /// What every rank holds of a RUN: all but the light.

@@ -37,6 +37,8 @@ class ClusterGraph {
 /// How much care a source's sequences get before a coarser answer that covers them is taken.
 struct VisibilityConfig {
   int max_passes = 2;  ///< sequences followed one by one through the same doorway
+  bool prove_hidden =
+      false;  ///< leave out pairs that are proved hidden by what stands between: slower
   OcclusionConfig occlusion;
 };
 
@@ -46,8 +48,8 @@ std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
 
 /// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
 /// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so this is G_cell tightened by what can be seen through the sequences. Of these
-/// pairs, those are left out that are proved hidden by what stands between (occlusion.hpp).
+/// of its own, so this is G_cell tightened by what can be seen through the sequences; with
+/// `prove_hidden`, also by what stands between (occlusion.hpp).
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

@@ -119,7 +119,8 @@ void drop_hidden(std::vector<Pair>& pairs, std::span<const Cluster> clusters, do
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress, const VisibilityConfig& config) {
   std::vector<Pair> pairs = ClusterVisibility(complex, clusters, config).pairs(progress);
-  drop_hidden(pairs, clusters, complex.tolerance_m(), config.occlusion, progress);
+  if (config.prove_hidden)
+    drop_hidden(pairs, clusters, complex.tolerance_m(), config.occlusion, progress);
   report_progress(progress, "visibility", 1.0);
   return {clusters.size(), std::move(pairs)};
 }
