@@ -12,7 +12,8 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("seed", config.seed);
   record.set("target_error", config.target_error);
   record.set("assignment", name_of(config.assignment));
-  record.set("order", config.order == TourOrder::input ? "input" : "travelling-salesman");
+  record.set("order", name_of(config.order));
+  record.set("iteration", config.jacobi ? "jacobi" : "gauss-seidel");
   record.set("steal", config.steal);
   record.set("memory_bytes", config.memory_bytes);
 }

@@ -34,8 +34,8 @@ bool is_directory(const std::string& path) {
   return fs::is_directory(path, code);
 }
 
-TourOrder order_of(const std::string& name) {
-  return name == "input" ? TourOrder::input : TourOrder::travelling_salesman;
+std::vector<std::string> texts(std::span<const char* const> names) {
+  return {names.begin(), names.end()};
 }
 
 void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
@@ -73,12 +73,14 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
          "--assignment", o.assignment,
          "Clusters to ranks: kmeans (figure 1), metis, greedy (grown by estimated form factors, "
          "after Funkhouser 96) or round-robin")
-      ->check(CLI::IsMember({"kmeans", "metis", "greedy", "round-robin"}))
+      ->check(CLI::IsMember(texts(assignment_names())))
       ->capture_default_str()
       ->group(group);
-  sub.add_option("--order", o.order,
-                 "Order in which a rank's clusters gather: travelling-salesman or input")
-      ->check(CLI::IsMember({"travelling-salesman", "input"}))
+  sub.add_option(
+         "--order", o.order,
+         "Order in which a rank's clusters gather: travelling-salesman, greedy, random, input "
+         "(as numbered), backtracking (depth first), unshot-energy (where most light waits)")
+      ->check(CLI::IsMember(texts(order_names())))
       ->capture_default_str()
       ->group(group);
   sub.add_flag("--no-steal", o.no_steal,
@@ -86,6 +88,13 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
       ->group(group);
   sub.add_flag("--no-coarse-correction", o.no_correction,
                "The paper's group iteration as it is, which needs more iterations at many ranks")
+      ->group(group);
+  sub.add_option(
+         "--iteration", o.iteration,
+         "Light that a gather takes from its own rank's clusters: gauss-seidel, the newest; "
+         "jacobi, the last iteration's")
+      ->check(CLI::IsMember({"gauss-seidel", "jacobi"}))
+      ->capture_default_str()
       ->group(group);
   sub.add_option("--memory", o.memory,
                  "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. "
@@ -138,7 +147,8 @@ SolveConfig SolveOptions::config() const {
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.seed = seed;
   config.assignment = assignment_method(assignment);
-  config.order = order_of(order);
+  config.order = tour_order(order);
+  config.jacobi = iteration == "jacobi";
   config.steal = !no_steal;
   config.coarse_correction = !no_correction;
   config.resume = resume;

@@ -47,7 +47,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   });
   // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.same_on_any_ranks && plan.refine);
+  resident_.set_committed_only(config_.jacobi || (config_.same_on_any_ranks && plan.refine));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;

@@ -20,7 +20,8 @@ struct RadiosityWorkConfig {
   double min_area_m2 = 0.0;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   bool same_on_any_ranks =
-      false;  ///< refine by committed light alone; the paper takes a rank's newest
+      false;            ///< refine by committed light alone; the paper takes a rank's newest
+  bool jacobi = false;  ///< gather committed light alone, always
 };
 
 class RadiosityWork final : public ClusterWork {

@@ -14,6 +14,10 @@
 namespace enfilade {
 namespace {
 
+double worst_band(const Spectrum& power) {
+  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+}
+
 double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -37,6 +41,18 @@ std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis)
     bytes.push_back(256 + cluster.polygons.size() * (320 + 16 * values));
   }
   return bytes;
+}
+
+/// What each cluster emits, in its brightest band; the scene's point lights are on none.
+std::vector<double> emitted_powers(const Prepared& prepared) {
+  const Spectrum points = emitted_power(prepared.scene, {});
+  std::vector<double> powers;
+  for (const Cluster& cluster : prepared.clusters) {
+    Spectrum power = emitted_power(prepared.scene, {&cluster, 1});
+    for (std::size_t b = 0; b < power.size(); ++b) power[b] -= points[b];
+    powers.push_back(worst_band(power));
+  }
+  return powers;
 }
 
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,
@@ -64,10 +80,6 @@ void start_anew(const RunLayout& layout, Communicator& communicator, RadiosityWo
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
-}
-
 }  // namespace
 
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks) {
@@ -89,10 +101,11 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       own_clusters(prepared, config, communicator.rank(), communicator.size());
   const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
                             memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
-  TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(
-      prepared, layout, communicator.rank(), machine,
-      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction});
+  TaskList tasks(own, cost,
+                 make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared)));
+  RadiosityWork work(prepared, layout, communicator.rank(), machine,
+                     {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
+                      config.jacobi});
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
                                    8 * work.most_coarse_numbers());

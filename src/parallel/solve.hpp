@@ -12,7 +12,7 @@
 #include "parallel/iteration_plan.hpp"
 #include "parallel/prepare.hpp"
 #include "radiosity/cluster_state.hpp"
-#include "tour/tour.hpp"
+#include "tour/order.hpp"
 
 namespace enfilade {
 
@@ -30,7 +30,8 @@ struct SolveConfig {
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
-  bool resume = false;            ///< go on from the last committed iteration
+  bool jacobi = false;  ///< every gather takes the last iteration's light, a rank's own included
+  bool resume = false;  ///< go on from the last committed iteration
   int max_iterations = 200;
   int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;

@@ -10,16 +10,18 @@ namespace {
 IterationSums gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue, Thief& thief,
                          bool steal) {
   IterationSums sums;
-  while (const auto cluster = tasks.next()) {
-    add(sums, work.gather(*cluster));
+  const auto gather = [&](ClusterId cluster) {
+    const IterationSums part = work.gather(cluster);
+    tasks.gathered(cluster, part.change_power);
+    add(sums, part);
     dialogue.look();
-  }
+  };
+  while (const auto cluster = tasks.next()) gather(*cluster);
   while (steal) {
     const auto cluster = thief.request(work.resident());
     if (!cluster) break;
     tasks.adopt(*cluster);
-    add(sums, work.gather(*cluster));
-    dialogue.look();
+    gather(*cluster);
   }
   sums.steals = thief.steals();
   sums.steal_requests = thief.requests();

@@ -10,7 +10,7 @@ namespace {
 struct Idle {
   ClusterGraph graph{1, {}};
   VisibilityCost cost{graph, {1}, 1};
-  TaskList tasks{{}, cost, TourOrder::input, 1};
+  TaskList tasks{{}, cost, make_order(TourOrder::input, 1, graph)};
 };
 
 }  // namespace
