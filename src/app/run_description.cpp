@@ -11,6 +11,7 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("seed", config.seed);
   record.set("target_error", config.target_error);
+  record.set("scheme", name_of(config.scheme));
   record.set("assignment", name_of(config.assignment));
   record.set("order", name_of(config.order));
   record.set("iteration", config.jacobi ? "jacobi" : "gauss-seidel");

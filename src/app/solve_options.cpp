@@ -70,9 +70,17 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
 void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How the work is cut up and ordered";
   sub.add_option(
-         "--assignment", o.assignment,
-         "Clusters to ranks: kmeans (figure 1), metis, greedy (grown by estimated form factors, "
-         "after Funkhouser 96) or round-robin")
+         "--scheme", o.scheme,
+         "How ranks share the work: spmd, each with files of its own, stealing; master-slave, "
+         "groups by messages from rank 0 (after Funkhouser 96); replicated, one cell after the "
+         "other on all ranks (after Feng and Yang 97)")
+      ->check(CLI::IsMember(texts(scheme_names())))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--assignment", o.assignment,
+                 "Clusters to ranks (spmd): kmeans (figure 1), metis, greedy (grown by estimated "
+                 "form factors, "
+                 "after Funkhouser 96) or round-robin")
       ->check(CLI::IsMember(texts(assignment_names())))
       ->capture_default_str()
       ->group(group);
@@ -146,6 +154,7 @@ SolveConfig SolveOptions::config() const {
   config.tolerance = tolerance;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.seed = seed;
+  config.scheme = scheme_of(scheme);
   config.assignment = assignment_method(assignment);
   config.order = tour_order(order);
   config.jacobi = iteration == "jacobi";

@@ -15,7 +15,7 @@ struct SolveOptions {
   std::string input, output;
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
-  std::string basis = "auto", assignment = "kmeans", order = "travelling-salesman";
+  std::string basis = "auto", scheme = "spmd", assignment = "kmeans", order = "travelling-salesman";
   std::string iteration = "gauss-seidel";
   std::string memory, local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;

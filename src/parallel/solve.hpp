@@ -11,6 +11,7 @@
 #include "machine/machine.hpp"
 #include "parallel/iteration_plan.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/scheme.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "tour/order.hpp"
 
@@ -26,7 +27,8 @@ struct SolveConfig {
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
   std::uint64_t seed = 1;
-  AssignmentMethod assignment = AssignmentMethod::kmeans;
+  Scheme scheme = Scheme::spmd;
+  AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< spmd's
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is

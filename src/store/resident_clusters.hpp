@@ -10,7 +10,7 @@
 
 #include "machine/machine.hpp"
 #include "radiosity/cluster_state.hpp"
-#include "store/cluster_store.hpp"
+#include "store/cluster_files.hpp"
 
 namespace enfilade {
 
@@ -32,11 +32,14 @@ class ResidentClusters {
   using NextUse = std::function<std::uint64_t(ClusterId id, bool links)>;
 
   /// budget_bytes 0 = no limit.
-  ResidentClusters(ClusterStore& store, Machine& machine, std::uint64_t budget_bytes);
+  ResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes);
 
   void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
   /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
   void set_correction(std::function<void(ClusterState&)> correction);
+  /// Brings these clusters in as shooters, all at once, and keeps them until the next call,
+  /// whatever the budget.
+  void hold(std::vector<ClusterId> shooters);
   /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
   void adopt(ClusterState state);
 
@@ -77,11 +80,15 @@ class ResidentClusters {
   void measure(Entry& entry);
   /// Turns until a part is used again; 0 = in the gather at hand.
   std::uint64_t turns_until(ClusterId id, bool links) const;
-  bool pinned(ClusterId id) const { return id == receiver_ || id == shooter_; }
+  bool pinned(ClusterId id) const;
+  /// Is what pin_shooter() gives of it the light before this iteration?
+  bool shoots_as_committed(ClusterId id) const { return committed_only_ && files_.written(id); }
+  /// What has to be read for it to shoot.
+  void list_missing(ClusterId id, std::vector<SectionName>& missing) const;
   void evict(bool pressed);
   void drop_links(Entry& entry);
 
-  ClusterStore& store_;
+  ClusterFiles& files_;
   Machine& machine_;
   std::uint64_t budget_bytes_;
   NextUse next_use_;
@@ -90,6 +97,7 @@ class ResidentClusters {
   std::map<ClusterId, Entry> entries_;
   ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid
   std::span<const ClusterId> visible_;
+  std::vector<ClusterId> held_;  ///< ascending
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
   ResidencyCount count_;
 };

@@ -21,6 +21,7 @@ TEST(SolveOptions, DefaultsAreTheSolversOwn) {
   EXPECT_EQ(config.order, expected.order);
   EXPECT_EQ(config.steal, expected.steal);
   EXPECT_EQ(config.jacobi, expected.jacobi);
+  EXPECT_EQ(config.scheme, expected.scheme);
   EXPECT_EQ(config.coarse_correction, expected.coarse_correction);
   EXPECT_EQ(config.memory_bytes, 0u);
 }
@@ -33,6 +34,7 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.basis = "constant";
   options.assignment = "round-robin";
   options.order = "backtracking";
+  options.scheme = "replicated";
   options.iteration = "jacobi";
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
@@ -40,6 +42,7 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   EXPECT_EQ(config.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
   EXPECT_EQ(config.order, TourOrder::backtracking);
+  EXPECT_EQ(config.scheme, Scheme::replicated);
   EXPECT_TRUE(config.jacobi);
   EXPECT_FALSE(config.steal);
   EXPECT_FALSE(config.coarse_correction);
