@@ -16,6 +16,7 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("order", name_of(config.order));
   record.set("iteration", config.jacobi ? "jacobi" : "gauss-seidel");
   record.set("steal", config.steal);
+  record.set("memory_manager", name_of(config.memory_manager));
   record.set("memory_bytes", config.memory_bytes);
 }
 

@@ -108,6 +108,14 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
                  "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. "
                  "Default: no limit")
       ->group(group);
+  sub.add_option(
+         "--memory-manager", o.memory_manager,
+         "own: the solver places clusters in the memory itself and gives back what is free; "
+         "malloc: leave that to a general-purpose heap. stats.json tells the heap's extent "
+         "and what of it would be swapped, where --memory is given")
+      ->check(CLI::IsMember({"own", "malloc"}))
+      ->capture_default_str()
+      ->group(group);
   sub.add_option("--local-dir", o.local_directory,
                  "Where each rank makes its local directory; default: RUN/local")
       ->group(group);
@@ -153,6 +161,7 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
+  config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;
   config.scheme = scheme_of(scheme);
   config.assignment = assignment_method(assignment);

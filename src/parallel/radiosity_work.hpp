@@ -22,6 +22,7 @@ struct RadiosityWorkConfig {
   bool same_on_any_ranks =
       false;            ///< refine by committed light alone; the paper takes a rank's newest
   bool jacobi = false;  ///< gather committed light alone, always
+  MemoryManager memory_manager = MemoryManager::own;
 };
 
 class RadiosityWork final : public ClusterWork {
@@ -47,7 +48,7 @@ class RadiosityWork final : public ClusterWork {
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
-  const ResidencyCount& residency_count() const { return resident_.count(); }
+  ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
   /// In ascending order, itself among them.

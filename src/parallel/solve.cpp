@@ -161,7 +161,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const bool slave = has_master(config, communicator) && !communicator.root();
   RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
-                      config.jacobi});
+                      config.jacobi, config.memory_manager});
   if (!manifest) {
     start_anew(prepared, basis, store, communicator, work, own, !has_master(config, communicator));
   }

@@ -13,6 +13,7 @@
 #include "parallel/prepare.hpp"
 #include "parallel/scheme.hpp"
 #include "radiosity/cluster_state.hpp"
+#include "store/placement.hpp"
 #include "tour/order.hpp"
 
 namespace enfilade {
@@ -26,6 +27,7 @@ struct SolveConfig {
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
+  MemoryManager memory_manager = MemoryManager::own;
   std::uint64_t seed = 1;
   Scheme scheme = Scheme::spmd;
   AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< spmd's

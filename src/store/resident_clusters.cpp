@@ -29,8 +29,12 @@ int newest_iteration(const ClusterFiles& files, ClusterId id) {
 }  // namespace
 
 ResidentClusters::ResidentClusters(ClusterFiles& files, Machine& machine,
-                                   std::uint64_t budget_bytes)
-    : files_(files), machine_(machine), budget_bytes_(budget_bytes) {
+                                   std::uint64_t budget_bytes, MemoryManager manager)
+    : files_(files),
+      machine_(machine),
+      budget_bytes_(budget_bytes),
+      manager_(manager),
+      placement_(manager, budget_bytes) {
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
 
@@ -62,11 +66,31 @@ void ResidentClusters::measure(Entry& entry) {
     previous.bytes = entry.previous->memory_bytes();
     entry.shooter_bytes += machine_.record_bytes(previous);
   }
+  if (budget_bytes_ > 0) {
+    entry.shooter_bytes = placement_.accounted(entry.shooter_bytes);
+    entry.links_bytes = placement_.accounted(entry.links_bytes);
+    placement_.resize(entry.shooter_block, entry.shooter_bytes);
+    placement_.resize(entry.links_block, entry.links_bytes);
+  }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
   count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
   if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
     count_.over_budget_bytes = count_.peak_bytes - budget_bytes_;
   }
+}
+
+void ResidentClusters::use(ClusterId id, const Entry& entry, bool links) {
+  std::uint64_t swapped = placement_.use(entry.shooter_block);
+  if (links) swapped += placement_.use(entry.links_block);
+  if (swapped == 0) return;
+  const PhaseScope phase(machine_, Phase::io);
+  machine_.read(Disk::local, id.value, swapped);
+}
+
+ResidencyCount ResidentClusters::count() const {
+  ResidencyCount count = count_;
+  count.placement = placement_.count();
+  return count;
 }
 
 void ResidentClusters::load(ClusterId id, Entry& entry) {
@@ -148,6 +172,7 @@ ClusterState& ResidentClusters::pin_receiver(ClusterId id, std::span<const Clust
     measure(entry);
   }
   evict(true);
+  use(id, entry, true);
   return *entry.state;
 }
 
@@ -156,6 +181,7 @@ const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
   const ClusterState& state =
       shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict(true);
+  use(id, entries_.at(id), false);
   return state;
 }
 
@@ -248,7 +274,7 @@ void ResidentClusters::evict(bool pressed) {
     ++count_.evictions;
   }
   // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
-  if (freed_bytes_ > budget_bytes_ / 8) {
+  if (manager_ == MemoryManager::own && freed_bytes_ > budget_bytes_ / 8) {
     malloc_trim(0);
     freed_bytes_ = 0;
   }

@@ -11,6 +11,7 @@
 #include "machine/machine.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "store/cluster_files.hpp"
+#include "store/placement.hpp"
 
 namespace enfilade {
 
@@ -20,6 +21,8 @@ struct ResidencyCount {
   /// Most by which the budget was passed: by the last cluster that came in before others could go,
   /// or by a gather whose receiver and one shooter are more than there is.
   std::uint64_t over_budget_bytes = 0;
+  /// Where there is a budget: what the memory manager made of it.
+  PlacementCount placement;
 };
 
 /// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
@@ -32,7 +35,8 @@ class ResidentClusters {
   using NextUse = std::function<std::uint64_t(ClusterId id, bool links)>;
 
   /// budget_bytes 0 = no limit.
-  ResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes);
+  ResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes,
+                   MemoryManager manager = MemoryManager::own);
 
   void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
   /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
@@ -60,7 +64,7 @@ class ResidentClusters {
 
   /// In the order of their ids.
   std::vector<ClusterId> resident() const;
-  const ResidencyCount& count() const { return count_; }
+  ResidencyCount count() const;
   std::uint64_t bytes() const { return bytes_; }
 
  private:
@@ -71,6 +75,7 @@ class ResidentClusters {
     int iteration = 0;                 ///< that these patches are of
     std::uint64_t links_checksum = 0;  ///< of the links in the file
     std::uint64_t shooter_bytes = 0, links_bytes = 0;
+    Placement::Block shooter_block = 0, links_block = 0;
   };
   Entry& newest(ClusterId id);
   void load(ClusterId id, Entry& entry);
@@ -78,6 +83,8 @@ class ResidentClusters {
   void correct(Entry& entry);
   void load_links(ClusterId id, Entry& entry);
   void measure(Entry& entry);
+  /// Its memory is used; what the system had to swap for that takes its time.
+  void use(ClusterId id, const Entry& entry, bool links);
   /// Turns until a part is used again; 0 = in the gather at hand.
   std::uint64_t turns_until(ClusterId id, bool links) const;
   bool pinned(ClusterId id) const;
@@ -91,6 +98,8 @@ class ResidentClusters {
   ClusterFiles& files_;
   Machine& machine_;
   std::uint64_t budget_bytes_;
+  MemoryManager manager_;
+  Placement placement_;
   NextUse next_use_;
   bool committed_only_ = false;
   std::function<void(ClusterState&)> correction_;

@@ -35,6 +35,7 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.assignment = "round-robin";
   options.order = "backtracking";
   options.scheme = "replicated";
+  options.memory_manager = "malloc";
   options.iteration = "jacobi";
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
@@ -43,6 +44,7 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
   EXPECT_EQ(config.order, TourOrder::backtracking);
   EXPECT_EQ(config.scheme, Scheme::replicated);
+  EXPECT_EQ(config.memory_manager, MemoryManager::malloc);
   EXPECT_TRUE(config.jacobi);
   EXPECT_FALSE(config.steal);
   EXPECT_FALSE(config.coarse_correction);

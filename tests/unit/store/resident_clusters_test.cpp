@@ -23,9 +23,9 @@ struct ResidentClustersTest : testing::Test {
   ResidentClustersTest() {
     for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
   }
-  /// Bytes that one of the clusters takes.
+  /// Bytes that one of the clusters takes where there is a budget.
   std::uint64_t size() {
-    ResidentClusters one(store, machine, 0);
+    ResidentClusters one(store, machine, 1 << 30);
     one.pin_shooter(id(0));
     return one.bytes();
   }
