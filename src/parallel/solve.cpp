@@ -178,6 +178,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
 
   const double start_s = machine.now_s();
   const TimeUse before = machine.time_use();
+  const MessageCount sent_before = communicator.sent();
   const IterationPlan last = iterate(
       {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
       manifest ? manifest->correction : std::vector<double>{}, history,
@@ -190,7 +191,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       machine.now_s() - start_s,
       store.count(),
       work.residency_count(),
-      communicator.sent()};
+      {communicator.sent().messages - sent_before.messages,
+       communicator.sent().bytes - sent_before.bytes}};
   RunRecord record =
       gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
   if (communicator.root()) {
