@@ -5,6 +5,7 @@
 #include "visibility/cell_parts.hpp"
 #include "visibility/cluster_graph.hpp"
 #include "visibility/facing.hpp"
+#include "visibility/hidden_pairs.hpp"
 #include "visibility/portal_search.hpp"
 
 namespace enfilade {
@@ -101,26 +102,15 @@ class ClusterVisibility {
   std::vector<std::uint32_t> seen_by_;  ///< the last cluster that saw this one
 };
 
-void drop_hidden(std::vector<Pair>& pairs, std::span<const Cluster> clusters, double tolerance_m,
-                 const OcclusionConfig& config, const Progress& progress) {
-  const Occlusion occlusion(clusters, tolerance_m, config);
-  std::size_t done = 0;
-  std::erase_if(pairs, [&](const Pair& pair) {
-    if (done++ % 1024 == 0) {
-      const double share = static_cast<double>(done) / static_cast<double>(pairs.size());
-      report_progress(progress, "visibility", portals_share + (1.0 - portals_share) * share);
-    }
-    return occlusion.between(pair.first, pair.second) == Sight::hidden;
-  });
-}
-
 }  // namespace
 
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress, const VisibilityConfig& config) {
   std::vector<Pair> pairs = ClusterVisibility(complex, clusters, config).pairs(progress);
-  if (config.prove_hidden)
-    drop_hidden(pairs, clusters, complex.tolerance_m(), config.occlusion, progress);
+  if (config.prove_hidden) {
+    const Occlusion occlusion(clusters, complex.tolerance_m(), config.occlusion);
+    drop_hidden(pairs, clusters, occlusion, progress, portals_share);
+  }
   report_progress(progress, "visibility", 1.0);
   return {clusters.size(), std::move(pairs)};
 }
