@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "parallel/error_estimate.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_statistics.hpp"
@@ -64,10 +65,6 @@ void start_anew(const RunLayout& layout, Communicator& communicator, RadiosityWo
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
-}
-
 }  // namespace
 
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks) {
@@ -99,7 +96,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   if (!manifest) start_anew(layout, communicator, work, own);
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
-  const PlanConfig plan_config{.emitted_power = worst_band(emitted),
+  const PlanConfig plan_config{.emitted_power = emitted,
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
@@ -113,7 +110,10 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const IterationPlan last = run_spmd(
       work, tasks, communicator, machine, {config.steal, config.coarse_correction}, plan,
       manifest ? manifest->correction : std::vector<double>{}, history,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
+      [&](std::vector<IterationSummary>& so_far) {
+        so_far.back().error = estimate_error(so_far, emitted);
+        return next_plan(so_far, plan_config);
+      },
       observer);
 
   const TimeUse after = machine.time_use();

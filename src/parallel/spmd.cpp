@@ -45,7 +45,6 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
         config.coarse_correction ? work.correct(token.coarse) : Correction{};
     summary.missing_power = correction.missing_power;
     history.push_back(summary);
-    history.back().estimated_error = estimate_error(history);
     const IterationPlan next = plan_next(history);
     work.commit(history, correction.changes, next.finished);
     if (observer) observer(history.back());

@@ -15,8 +15,9 @@ struct SpmdConfig {
   bool coarse_correction = true;  ///< false: the paper's iteration as it is
 };
 
-/// On rank 0, with the sums of all ranks of an iteration: what follows.
-using PlanNext = std::function<IterationPlan(const std::vector<IterationSummary>& history)>;
+/// On rank 0, with the sums of all ranks of an iteration as the last of `history`: sets its error,
+/// and says what follows.
+using PlanNext = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 /// On rank 0, after each committed iteration.
 using SummaryObserver = std::function<void(const IterationSummary&)>;
 
