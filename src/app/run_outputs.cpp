@@ -7,6 +7,7 @@
 
 #include "app/plan_files.hpp"
 #include "app/solved_run.hpp"
+#include "parallel/error_estimate.hpp"
 #include "report/camera.hpp"
 #include "report/solution_glb.hpp"
 #include "report/stats_json.hpp"
@@ -23,7 +24,14 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("iteration", summary.plan.iteration);
   record.set("refine", summary.plan.refine);
   record.set("link_tolerance", summary.plan.link_tolerance);
-  record.set("estimated_error", summary.estimated_error);
+  record.set("estimated_error", summary.error.total());
+  record.set("estimated_discretisation_error", summary.error.discretisation);
+  record.set("estimated_visibility_error", summary.error.visibility);
+  record.set("estimated_iteration_error", summary.error.iteration);
+  record.set("estimated_patch_error", summary.error.patches);
+  record.set("iteration_error_bound", summary.error.iteration_bound);
+  record.set("sampled", summary.plan.sample);
+  if (summary.plan.sample) record.set("sample_noise", sample_noise(summary.sums.residual));
   record.set("relative_change", summary.sums.received_power > 0.0
                                     ? summary.sums.change_power / summary.sums.received_power
                                     : 0.0);

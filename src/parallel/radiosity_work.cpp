@@ -24,7 +24,9 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, 
       group_of_cluster_(coarse_groups(prepared.clusters)),
       groups_(count_groups(group_of_cluster_)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
-      coarse_(groups_, bands_) {}
+      coarse_(groups_, bands_) {
+  for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
+}
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   files_.set_committed(plan.iteration - 1);
@@ -36,13 +38,28 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   });
   // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.jacobi || (config_.same_on_any_ranks && plan.refine));
+  resident_.set_committed_only(config_.jacobi ||
+                               (config_.same_on_any_ranks && (plan.refine || plan.sample)));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
   gather_config_.close_rows = plan.close_rows;
+  gather_config_.residual = {};
+  if (plan.sample) gather_config_.residual = sampling(plan);
   gather_config_.refinement.max_depth = config_.max_depth;
   gather_config_.refinement.min_area_m2 = config_.min_area_m2;
+}
+
+/// Half of the points go by area, half by the light that arrives.
+ResidualConfig RadiosityWork::sampling(const IterationPlan& plan) const {
+  constexpr double points = 256.0;
+  ResidualConfig config;
+  if (plan.received_power <= 0.0 || area_m2_ <= 0.0) return config;
+  config.rays = plan.sample_rays;
+  config.per_area = 0.5 * points / area_m2_;
+  config.per_power = 0.5 * points / plan.received_power;
+  config.mean_irradiance = plan.received_power / area_m2_;
+  return config;
 }
 
 std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {
@@ -78,6 +95,10 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.change_power = result.change_power;
   sums.received_power = result.received_power;
   sums.link_error_power = result.link_error_power;
+  sums.link_doubt_power = result.link_doubt_power;
+  sums.arriving_power = result.arriving_power;
+  sums.returning_power = result.returning_power;
+  sums.residual = result.residual;
   sums.absorbed_power = result.absorbed_power;
   sums.escaping_power = result.escaping_power;
   sums.work = result.work;

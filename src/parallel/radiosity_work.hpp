@@ -51,6 +51,7 @@ class RadiosityWork final : public ClusterWork {
   ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
+  ResidualConfig sampling(const IterationPlan& plan) const;
   /// In ascending order, itself among them.
   std::vector<ClusterId> visible_to(ClusterId receiver) const;
 
@@ -64,6 +65,7 @@ class RadiosityWork final : public ClusterWork {
   GatherConfig gather_config_;
   std::vector<std::uint32_t> group_of_cluster_;
   std::size_t groups_ = 0, bands_ = 1;
+  double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;
 };
 

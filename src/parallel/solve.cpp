@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "parallel/cell_dealer.hpp"
 #include "parallel/dealing.hpp"
+#include "parallel/error_estimate.hpp"
 #include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
@@ -167,7 +168,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
-  const PlanConfig plan_config{.emitted_power = worst_band(emitted),
+  const PlanConfig plan_config{.emitted_power = emitted,
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
@@ -182,7 +183,10 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const IterationPlan last = iterate(
       {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
       manifest ? manifest->correction : std::vector<double>{}, history,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
+      [&](std::vector<IterationSummary>& so_far) {
+        so_far.back().error = estimate_error(so_far, emitted);
+        return next_plan(so_far, plan_config);
+      },
       observer);
 
   const TimeUse after = machine.time_use();
