@@ -5,6 +5,7 @@
 
 #include "machine/machine.hpp"
 #include "parallel/cluster_work.hpp"
+#include "parallel/gather_cost.hpp"
 #include "parallel/prepare.hpp"
 #include "radiosity/coarse_correction.hpp"
 #include "radiosity/occluders.hpp"
@@ -37,7 +38,7 @@ class RadiosityWork final : public ClusterWork {
   void begin(const IterationPlan& plan, std::span<const double> changes) override;
   IterationSums gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
-  void move_to_common() override { store_.move_to_common(); }
+  void move_to_common() override;
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   Correction correct(std::span<const double> coarse) const override;
@@ -63,6 +64,7 @@ class RadiosityWork final : public ClusterWork {
   std::vector<std::uint32_t> group_of_cluster_;
   std::size_t groups_ = 0, bands_ = 1;
   CoarseSystem coarse_;
+  CostRecorder recorder_;
 };
 
 }  // namespace enfilade
