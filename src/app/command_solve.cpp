@@ -10,7 +10,10 @@
 #include "app/solve_summary.hpp"
 #include "parallel/history.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/replay.hpp"
 #include "parallel/solve.hpp"
+#include "report/stats_json.hpp"
+#include "store/posix_file.hpp"
 
 namespace enfilade {
 
@@ -62,6 +65,26 @@ void run_solve(const SolveOptions& options, Session& session) {
   });
 }
 
+/// A recorded run on other computers: stats.json and history.json, and no light.
+void run_replay(const SolveOptions& options, Session& session) {
+  Communicator& communicator = session.communicator();
+  const SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+  communicator.on_root([&] { check_run_directory(config.run_directory); });
+  std::vector<IterationSummary> history;
+  RunRecord stats = replay(options.replay, config, communicator, machine,
+                           [&history](const IterationSummary& s) { history.push_back(s); });
+  communicator.on_root([&] {
+    claim_run_directory(config.run_directory);
+    remove_run_outputs(config.run_directory);
+    describe_strategies(stats, config);
+    stats.set("replayed", options.replay);
+    write_stats(stats, config.run_directory + "/stats.json");
+    replace_file(config.run_directory + "/history.json", history_json(history));
+    if (!options.quiet) session.console().print(solve_summary(config.run_directory, stats));
+  });
+}
+
 }  // namespace
 
 void add_solve(CLI::App& cli, Command& chosen) {
@@ -70,7 +93,10 @@ void add_solve(CLI::App& cli, Command& chosen) {
       "solve", "Compute the light of a scene, on as many ranks as mpirun starts");
   add_solve_options(*sub, *options);
   sub->callback([options, &chosen] {
-    chosen = {true, [options](Session& session) { run_solve(*options, session); }};
+    chosen = {true, [options](Session& session) {
+                options->replay.empty() ? run_solve(*options, session)
+                                        : run_replay(*options, session);
+              }};
   });
 }
 
