@@ -7,13 +7,14 @@
 
 #include "base/random.hpp"
 #include "visibility/half_spaces.hpp"
-#include "visibility/portal_search.hpp"
 
 namespace enfilade {
 
 /// A polygon, or what is left of it, that lines start or end at.
 class BeamPart {
  public:
+  static constexpr std::uint32_t no_number = 0xFFFFFFFFu;  ///< of what is no polygon of the scene
+
   /// Keeps a pointer to the polygon.
   BeamPart(std::uint32_t number, const Polygon& whole, const Plane& plane)
       : number_(number), whole_(&whole), plane_(plane) {}

@@ -40,6 +40,25 @@ std::array<std::vector<BeamPart>, 2> halves_of(const BeamSide& side) {
   return halves;
 }
 
+/// Larger by `margin_m` on all sides.
+Polygon grown(const Polygon& polygon, const Vec3& n, double margin_m) {
+  Polygon larger;
+  const std::size_t size = polygon.size();
+  const auto outward = [&](std::size_t i) {
+    Vec3 side = glm::cross(polygon[(i + 1) % size] - polygon[i % size], n);
+    const double length = glm::length(side);
+    if (length <= 0.0) return Vec3(0.0);
+    side /= length;
+    return glm::dot(side, polygon[i % size] - centroid(polygon)) < 0.0 ? -side : side;
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vec3 a = outward(i + size - 1), b = outward(i);
+    const double both = std::max(1.0 + glm::dot(a, b), 0.1);
+    larger.push_back(polygon[i] + margin_m / both * (a + b));
+  }
+  return larger;
+}
+
 }  // namespace
 
 Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
@@ -86,6 +105,25 @@ Sight Occlusion::between(std::span<const std::uint32_t> a, std::span<const std::
   return settle(std::move(beam), proof, rays);
 }
 
+bool Occlusion::is_hidden(const WindowView& view) const {
+  std::vector<BeamPart> parts;
+  std::uint64_t key = view.path.size();
+  for (const SourcePolygon* s : view.source) {
+    parts.emplace_back(s->number, s->polygon, s->plane);
+    key = key * 31 + s->number;
+  }
+  const Polygon window = grown(view.window, view.plane.n, tolerance_m_);
+  const Plane back{-view.plane.n, -view.plane.d};
+  Beam beam;
+  beam.a = side_of(std::move(parts));
+  beam.b = side_of({BeamPart(BeamPart::no_number, window, back)});
+  for (const Window& w : view.path) {
+    beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
+  }
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts};
+  return settle(std::move(beam), proof, config_.window_rays) == Sight::hidden;
+}
+
 bool Occlusion::find_open_line(const Beam& beam, Proof& proof, int rays,
                                std::vector<Suspect>& suspects) const {
   for (int k = 0; k < rays; ++k) {
@@ -123,7 +161,8 @@ Occlusion::Barrier Occlusion::best_barrier(const Beam& beam,
   std::vector<std::uint32_t> ends;
   for (const BeamSide* side : {&beam.a, &beam.b}) {
     for (const BeamPart& part : side->parts) {
-      if (!planes_.is_flat(part.number())) ends.push_back(part.number());
+      if (part.number() != BeamPart::no_number && !planes_.is_flat(part.number()))
+        ends.push_back(part.number());
     }
   }
   std::sort(ends.begin(), ends.end());

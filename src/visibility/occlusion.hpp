@@ -10,15 +10,18 @@
 #include "raycast/ray_scene.hpp"
 #include "visibility/beam.hpp"
 #include "visibility/occluder_planes.hpp"
+#include "visibility/portal_search.hpp"
 
 namespace enfilade {
 
 struct OcclusionConfig {
-  int first_rays = 24;  ///< that look for an open line before anything is proved
+  int first_rays = 12;  ///< that look for an open line before anything is proved
   int rays = 6;         ///< for each part of the pair after that
   int max_parts = 12;   ///< a pair is taken apart into at most so many
   int group_rays = 8;   ///< likewise, for groups of clusters at once
   int group_parts = 6;
+  int window_rays = 4;  ///< likewise, for a cluster and a portal
+  int window_parts = 4;
   int max_planes = 3;          ///< planes tried for each part, those that stop most rays first
   double most_open = 0.6;      ///< of a plane; where more is open, the longer side is halved
   std::size_t max_pieces = 8;  ///< more openings in a plane are not followed one by one
@@ -40,6 +43,9 @@ class Occlusion {
   /// All of some clusters against all of others, with less effort: `hidden` is a proof for each
   /// pair of them.
   Sight between_groups(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
+  /// Is the window hidden from all of the source, for lines through the windows before it? These
+  /// are portals, good to the cells' tolerance.
+  bool is_hidden(const WindowView& view) const;
 
  private:
   struct Suspect {
