@@ -114,16 +114,20 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const Visibility v = visibility(receiver, shooter, power, tolerance);
 
   // A small shooter's light peaks between the receiver's points; seen from the shooter the total is
-  // plain, by reciprocity: A_r F_rs = A_s F_sr.
+  // plain: a point light's by the receiver's solid angle, a patch's by reciprocity, A_r F_rs = A_s
+  // F_sr.
   double missed = 0.0;
-  if (shooter.is_patch() && shooter.radius < receiver.radius) {
+  if (!shooter.is_group() && (shooter.is_light() || shooter.radius < receiver.radius)) {
     ++work_->form_factors;
-    const double reverse = shooter.area_m2 / receiver.area_m2 *
-                           point_to_polygon(shooter.center, shooter.frame().n, receiver.corners);
-    missed = std::abs(reverse - mean_factor);
+    const double total = shooter.is_light()
+                             ? solid_angle(shooter.center, receiver.corners)
+                             : shooter.area_m2 * point_to_polygon(shooter.center, shooter.frame().n,
+                                                                  receiver.corners);
+    const double plain = total / receiver.area_m2;
+    missed = std::abs(plain - mean_factor);
     if (mean_factor > 0.0) {
-      for (double& f : e) f *= reverse / mean_factor;
-      mean_factor = reverse;
+      for (double& f : e) f *= plain / mean_factor;
+      mean_factor = plain;
     }
   }
 
