@@ -34,5 +34,7 @@ void failing_root(Context& context);
 void solve_rooms(Context& context);
 void solve_rooms_as_in_the_paper(Context& context);
 void solve_in_little_memory(Context& context);
+void replay_rooms(Context& context);
+void queue_of_clients(Context& context);
 
 }  // namespace enfilade::spmd_tests
