@@ -93,7 +93,7 @@ void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name :
        {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-        "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
+        "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }

@@ -203,6 +203,8 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   add_accuracy_options(sub, o);
   add_parallel_options(sub, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_flag("--trace", o.trace,
+               "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.footer(footer);

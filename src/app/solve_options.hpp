@@ -21,7 +21,7 @@ struct SolveOptions {
   std::string memory, memory_manager = "own", local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;
-  bool no_steal = false, no_correction = false, resume = false, quiet = false;
+  bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
   bool pictures = true;
 
   /// Empty where the input is a RUN directory that is solved in place.

@@ -25,6 +25,7 @@ RecordCount shooter_in_memory(const ClusterState& state) {
   return count;
 }
 void drop_links_of(ClusterState& state) { state.links() = LinkSet(state.links().stride()); }
+void shrink(ClusterState& state) { state.shrink(); }
 std::uint64_t file_bytes(const ClusterState&, Section, std::size_t bytes) { return bytes; }
 
 RecordCount links_in_memory(const RecordedCluster& state) {
@@ -36,6 +37,7 @@ RecordCount shooter_in_memory(const RecordedCluster& state) {
   return {weight.geometry.count, weight.patches.count, 0, weight.patches.memory_bytes};
 }
 void drop_links_of(RecordedCluster& state) { state.drop_links(); }
+void shrink(RecordedCluster&) {}
 std::uint64_t file_bytes(const RecordedCluster& state, Section section, std::size_t) {
   const ClusterWeight& weight = state.weight();
   return section == Section::links ? weight.links.file_bytes : weight.patches.file_bytes;
@@ -245,6 +247,7 @@ void BasicResidentClusters<State>::hold(std::vector<ClusterId> shooters) {
 template <class State>
 WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
   Entry& entry = entries_.at(id);
+  shrink(*entry.state);
   const State& state = *entry.state;
   RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
   WrittenReceiver written;
