@@ -8,9 +8,12 @@ void describe_strategies(RunRecord& record, const SolveConfig& config) {
   record.set("version", ENFILADE_VERSION);
   record.set("revision", ENFILADE_REVISION);
   record.set("seed", config.seed);
+  record.set("scheme", name_of(config.scheme));
   record.set("assignment", name_of(config.assignment));
-  record.set("order", config.order == TourOrder::input ? "input" : "travelling-salesman");
+  record.set("order", name_of(config.order));
+  record.set("iteration", config.jacobi ? "jacobi" : "gauss-seidel");
   record.set("steal", config.steal);
+  record.set("memory_manager", name_of(config.memory_manager));
   record.set("memory_bytes", config.memory_bytes);
 }
 

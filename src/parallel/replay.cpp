@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "parallel/replay_work.hpp"
 #include "parallel/run_ranks.hpp"
+#include "parallel/spmd.hpp"
 #include "radiosity/gather.hpp"
 
 namespace enfilade {
@@ -53,11 +54,11 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
-  TaskList tasks(own, costs->at(memory), config.order, config.seed);
-  ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory);
+  TaskList tasks(own, costs->at(memory),
+                 make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared)));
+  ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory,
+                  config.memory_manager);
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
-  communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
-                                   8 * work.most_coarse_numbers());
   work.initialise(own);
   const auto plan_of = [&recording](std::size_t iteration) {  // counted from 0
     if (iteration < recording.history.size()) return recording.history[iteration].plan;
@@ -65,20 +66,19 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
     plan.finished = plan.converged = true;
     return plan;
   };
-  return run_ranks(
-      {.work = work,
-       .tasks = tasks,
-       .counts = [&] { return std::pair(work.store_count(), work.residency_count()); },
-       .prepared = prepared,
-       .basis = recording.basis,
-       .emitted = emitted_power(prepared.scene, prepared.clusters),
-       .spmd = {config.steal, recording.coarse_correction},
-       .plan = plan_of(0),
-       .changes = {},
-       .history = {}},
-      communicator, machine,
-      [&](const std::vector<IterationSummary>& so_far) { return plan_of(so_far.size()); },
-      observer);
+  const IterationRun iterate = [&](std::vector<IterationSummary>& history) {
+    return run_spmd(
+        work, tasks, communicator, machine, {config.steal, recording.light.coarse_correction},
+        plan_of(0), {}, history,
+        [&](const std::vector<IterationSummary>& so_far) { return plan_of(so_far.size()); },
+        observer);
+  };
+  return run_ranks({prepared,
+                    recording.basis,
+                    emitted_power(prepared.scene, prepared.clusters),
+                    {},
+                    [&] { return std::pair(work.store_count(), work.residency_count()); }},
+                   communicator, machine, iterate);
 }
 
 }  // namespace enfilade

@@ -25,7 +25,7 @@ struct ReplayShared {
 class ReplayWork final : public ClusterWork {
  public:
   ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout, Rank rank,
-             Machine& machine, std::uint64_t memory_bytes);
+             Machine& machine, std::uint64_t memory_bytes, MemoryManager manager);
 
   /// As RadiosityWork::initialise().
   void initialise(std::span<const ClusterId> own);
@@ -44,9 +44,8 @@ class ReplayWork final : public ClusterWork {
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
-  std::size_t most_coarse_numbers() const;
   const StoreCount& store_count() const { return store_.count(); }
-  const ResidencyCount& residency_count() const { return resident_.count(); }
+  ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
   std::shared_ptr<const ReplayShared> shared_;

@@ -1,8 +1,10 @@
 #include "parallel/run_ranks.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "base/byte_stream.hpp"
+#include "radiosity/gather.hpp"
 
 namespace enfilade {
 namespace {
@@ -46,14 +48,24 @@ VisibilityCost tour_cost(const Prepared& prepared, Basis basis, std::uint64_t me
       memory_bytes > 0 ? memory_bytes : std::numeric_limits<std::uint64_t>::max());
 }
 
+std::vector<double> emitted_powers(const Prepared& prepared) {
+  const Spectrum points = emitted_power(prepared.scene, {});
+  std::vector<double> powers;
+  for (const Cluster& cluster : prepared.clusters) {
+    Spectrum power = emitted_power(prepared.scene, {&cluster, 1});
+    for (std::size_t b = 0; b < power.size(); ++b) power[b] -= points[b];
+    powers.push_back(power.empty() ? 0.0 : *std::max_element(power.begin(), power.end()));
+  }
+  return powers;
+}
+
 RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
-                    const PlanNext& plan_next, const IterationObserver& observer) {
+                    const IterationRun& iterate) {
   communicator.barrier();
   const double start_s = machine.now_s();
   const TimeUse before = machine.time_use();
-  const IterationPlan last =
-      run_spmd(run.work, run.tasks, communicator, machine, run.spmd, run.plan,
-               std::move(run.changes), run.history, plan_next, observer);
+  const MessageCount sent_before = communicator.sent();
+  const IterationPlan last = iterate(run.history);
   const TimeUse after = machine.time_use();
   const auto [store, residency] = run.counts();
   const RankStatistics mine{
@@ -61,7 +73,8 @@ RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
       machine.now_s() - start_s,
       store,
       residency,
-      communicator.sent()};
+      {communicator.sent().messages - sent_before.messages,
+       communicator.sent().bytes - sent_before.bytes}};
   return gather_statistics(run.prepared, run.basis, run.emitted, run.history, last, mine,
                            communicator, machine);
 }

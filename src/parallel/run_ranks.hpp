@@ -7,10 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "parallel/cluster_work.hpp"
 #include "parallel/run_statistics.hpp"
 #include "parallel/solve.hpp"
-#include "parallel/spmd.hpp"
 
 namespace enfilade {
 
@@ -38,22 +36,22 @@ std::shared_ptr<const T> share(Communicator& communicator, const Machine& machin
   return object;
 }
 
+/// What each cluster emits, in its brightest band; the scene's point lights are on none.
+std::vector<double> emitted_powers(const Prepared& prepared);
+
 /// The run that is about to start.
 struct RankRun {
-  ClusterWork& work;
-  TaskList& tasks;
-  std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
   const Prepared& prepared;
   Basis basis = Basis::linear;
-  Spectrum emitted;  ///< power, per band
-  SpmdConfig spmd;
-  IterationPlan plan;           ///< of the first iteration
-  std::vector<double> changes;  ///< that correct the light it starts from
-  std::vector<IterationSummary> history;
+  Spectrum emitted;                                               ///< power, per band
+  std::vector<IterationSummary> history;                          ///< what came before, on rank 0
+  std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
 };
+/// All iterations; appends to the history, on rank 0. Returns the plan that ended them.
+using IterationRun = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 
 /// All ranks call it. The record of RUN/stats.json, on rank 0; elsewhere empty.
 RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
-                    const PlanNext& plan_next, const IterationObserver& observer);
+                    const IterationRun& iterate);
 
 }  // namespace enfilade

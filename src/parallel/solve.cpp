@@ -4,6 +4,9 @@
 #include <chrono>
 
 #include "base/error.hpp"
+#include "parallel/cell_dealer.hpp"
+#include "parallel/dealing.hpp"
+#include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_ranks.hpp"
@@ -11,6 +14,10 @@
 
 namespace enfilade {
 namespace {
+
+double worst_band(const Spectrum& power) {
+  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+}
 
 double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -29,21 +36,71 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   return manifest;
 }
 
-/// RUN/common as it is before the first iteration.
-void start_anew(const RunLayout& layout, Communicator& communicator, RadiosityWork& work,
-                std::span<const ClusterId> own) {
+/// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
+/// keeps them in memory where it is going to gather for them.
+void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
+                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
+                std::span<const ClusterId> own, bool keep) {
   communicator.on_root([&] {
-    make_directory(layout.common());
-    remove_manifest(layout);
-    drop_costs(layout.run, -1);
+    make_directory(store.layout().common());
+    remove_manifest(store.layout());
+    drop_costs(store.layout().run, -1);
   });
-  work.initialise(own);
+  for (const ClusterId id : own) {
+    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    store.write_initial(state);
+    recorder.add_start(state);
+    if (keep) work.adopt(std::move(state));
+  }
+  recorder.write(0);
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+/// All that the loop of a scheme runs on.
+struct Solver {
+  const SolveConfig& config;
+  const Prepared& prepared;
+  Communicator& communicator;
+  Machine& machine;
+  const VisibilityCost& cost;
+  ClusterStore& store;
+  RemoteFiles& remote;
+  RadiosityWork& work;
+
+  std::unique_ptr<Order> order() const {
+    return make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared));
+  }
+  int slaves() const { return communicator.size() - 1; }
+  std::unique_ptr<Dealer> dealer() const {
+    if (config.scheme == Scheme::master_slave)
+      return std::make_unique<GroupDealer>(prepared, slaves(), *order(), cost, config.steal);
+    return std::make_unique<CellDealer>(prepared, slaves(), emitted_powers(prepared), config.seed,
+                                        config.steal);
+  }
+};
+
+/// A rank that is alone has nobody to be the master of.
+bool has_master(const SolveConfig& config, const Communicator& communicator) {
+  return config.scheme != Scheme::spmd && communicator.size() > 1;
+}
+
+IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const IterationPlan& plan,
+                      const std::vector<double>& changes, std::vector<IterationSummary>& history,
+                      const PlanNext& plan_next, const SummaryObserver& observer) {
+  const bool correction = s.config.coarse_correction;
+  if (!has_master(s.config, s.communicator)) {
+    TaskList tasks({own.begin(), own.end()}, s.cost, s.order());
+    s.work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
+    return run_spmd(s.work, tasks, s.communicator, s.machine, {s.config.steal, correction}, plan,
+                    changes, history, plan_next, observer);
+  }
+  if (!s.communicator.root())
+    return run_slave(s.work, s.remote, s.communicator, s.machine, correction, plan, changes);
+  Judge judge(s.work, s.machine, correction, history, plan_next, observer);
+  const std::unique_ptr<Dealer> dealer = s.dealer();
+  return Master(s.work, s.store, *dealer, s.communicator, s.machine, judge, correction)
+      .run(plan, changes);
 }
 
 }  // namespace
@@ -66,17 +123,19 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   const VisibilityCost cost = tour_cost(prepared, basis, memory);
-  TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(
-      prepared, layout, communicator.rank(), machine,
-      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction});
-  work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
-  communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
-                                   8 * work.most_coarse_numbers());
+  ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
+  RemoteFiles remote(communicator, machine);
+  const bool slave = has_master(config, communicator) && !communicator.root();
+  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
+  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+                     recorder,
+                     {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
+                      config.jacobi, config.memory_manager});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
-    start_anew(layout, communicator, work, own);
+    start_anew(prepared, basis, store, communicator, work, recorder, own,
+               !has_master(config, communicator));
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
@@ -87,21 +146,16 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
-  const SpmdConfig spmd{config.steal, config.coarse_correction};
-  RunRecord record = run_ranks(
-      {.work = work,
-       .tasks = tasks,
-       .counts = [&] { return std::pair(work.store_count(), work.residency_count()); },
-       .prepared = prepared,
-       .basis = basis,
-       .emitted = emitted,
-       .spmd = spmd,
-       .plan = plan,
-       .changes = manifest ? manifest->correction : std::vector<double>{},
-       .history = std::move(history)},
-      communicator, machine,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
-      observer);
+  const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
+    return iterate(
+        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
+        manifest ? manifest->correction : std::vector<double>{}, so_far,
+        [&](const std::vector<IterationSummary>& done) { return next_plan(done, plan_config); },
+        observer);
+  };
+  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+                                [&] { return std::pair(store.count(), work.residency_count()); }},
+                               communicator, machine, iterate_all);
   if (communicator.root()) {
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));

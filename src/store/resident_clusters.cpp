@@ -43,12 +43,22 @@ std::uint64_t file_bytes(const RecordedCluster& state, Section section, std::siz
   return section == Section::links ? weight.links.file_bytes : weight.patches.file_bytes;
 }
 
+/// The newest that this rank may see: its own of this iteration, or the committed one.
+int newest_iteration(const ClusterFiles& files, ClusterId id) {
+  return files.committed() + (files.written(id) ? 1 : 0);
+}
+
 }  // namespace
 
 template <class State>
-BasicResidentClusters<State>::BasicResidentClusters(ClusterStore& store, Machine& machine,
-                                                    std::uint64_t budget_bytes)
-    : store_(store), machine_(machine), budget_bytes_(budget_bytes) {
+BasicResidentClusters<State>::BasicResidentClusters(ClusterFiles& files, Machine& machine,
+                                                    std::uint64_t budget_bytes,
+                                                    MemoryManager manager)
+    : files_(files),
+      machine_(machine),
+      budget_bytes_(budget_bytes),
+      manager_(manager),
+      placement_(manager, budget_bytes) {
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
 
@@ -58,7 +68,7 @@ void BasicResidentClusters<State>::adopt(State state) {
   entry.links_checksum = checksum(state.bytes_of(Section::links));
   entry.state = std::make_unique<State>(std::move(state));
   entry.has_links = true;
-  entry.iteration = store_.committed();
+  entry.iteration = files_.committed();
   measure(entry);
   evict(false);
 }
@@ -75,6 +85,12 @@ void BasicResidentClusters<State>::measure(Entry& entry) {
   if (entry.previous) {
     entry.shooter_bytes += machine_.record_bytes(shooter_in_memory(*entry.previous));
   }
+  if (budget_bytes_ > 0) {
+    entry.shooter_bytes = placement_.accounted(entry.shooter_bytes);
+    entry.links_bytes = placement_.accounted(entry.links_bytes);
+    placement_.resize(entry.shooter_block, entry.shooter_bytes);
+    placement_.resize(entry.links_block, entry.links_bytes);
+  }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
   count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
   if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
@@ -83,17 +99,31 @@ void BasicResidentClusters<State>::measure(Entry& entry) {
 }
 
 template <class State>
+void BasicResidentClusters<State>::use(ClusterId id, const Entry& entry, bool links) {
+  std::uint64_t swapped = placement_.use(entry.shooter_block);
+  if (links) swapped += placement_.use(entry.links_block);
+  if (swapped == 0) return;
+  const PhaseScope phase(machine_, Phase::io);
+  machine_.read(Disk::local, id.value, swapped);
+}
+
+template <class State>
+ResidencyCount BasicResidentClusters<State>::count() const {
+  ResidencyCount count = count_;
+  count.placement = placement_.count();
+  return count;
+}
+
+template <class State>
 void BasicResidentClusters<State>::load(ClusterId id, Entry& entry) {
-  // The newest that this rank may see: its own of this iteration, or the committed one.
-  const int newest = store_.committed() + (store_.written(id) ? 1 : 0);
-  if (entry.state && entry.iteration >= newest) {
+  if (entry.state && entry.iteration >= newest_iteration(files_, id)) {
     ++count_.hits;
     return;
   }
   ++count_.loads;
   const std::vector<std::byte> geometry =
-      entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
-  const SectionFile patches = store_.read_patches(id);
+      entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
+  const SectionFile patches = files_.read_patches(id);
   entry.state = std::make_unique<State>(geometry, patches.bytes, std::span<const std::byte>());
   entry.has_links = entry.corrected = false;
   entry.iteration = static_cast<int>(patches.info.iteration);
@@ -110,14 +140,14 @@ void BasicResidentClusters<State>::set_correction(std::function<void(State&)> co
 /// applied to what comes from them, and to what stayed in memory.
 template <class State>
 void BasicResidentClusters<State>::correct(Entry& entry) {
-  if (!correction_ || entry.corrected || entry.iteration != store_.committed()) return;
+  if (!correction_ || entry.corrected || entry.iteration != files_.committed()) return;
   correction_(*entry.state);
   entry.corrected = true;
 }
 
 template <class State>
 void BasicResidentClusters<State>::load_links(ClusterId id, Entry& entry) {
-  const SectionFile links = store_.read_links(id);
+  const SectionFile links = files_.read_links(id);
   entry.state = std::make_unique<State>(entry.state->bytes_of(Section::geometry),
                                         entry.state->bytes_of(Section::patches), links.bytes);
   entry.has_links = true;
@@ -141,8 +171,8 @@ template <class State>
 const State& BasicResidentClusters<State>::committed(ClusterId id, Entry& entry) {
   if (!entry.previous) {
     const std::vector<std::byte> geometry =
-        entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
-    entry.previous = std::make_unique<State>(geometry, store_.read_committed_patches(id).bytes,
+        entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
+    entry.previous = std::make_unique<State>(geometry, files_.read_committed_patches(id).bytes,
                                              std::span<const std::byte>());
     if (correction_) correction_(*entry.previous);
     measure(entry);
@@ -165,21 +195,53 @@ State& BasicResidentClusters<State>::pin_receiver(ClusterId id,
   visible_ = visible;
   Entry& entry = newest(id);
   if (!entry.has_links) load_links(id, entry);
-  if (committed_only_ && !store_.written(id)) {
+  if (committed_only_ && !files_.written(id)) {
     entry.previous = std::make_unique<State>(entry.state->shooter());
     measure(entry);
   }
   evict(true);
+  use(id, entry, true);
   return *entry.state;
 }
 
 template <class State>
 const State& BasicResidentClusters<State>::pin_shooter(ClusterId id) {
   shooter_ = id;
-  const State& state =
-      committed_only_ && store_.written(id) ? committed(id, entries_[id]) : *newest(id).state;
+  const State& state = shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict(true);
+  use(id, entries_.at(id), false);
   return state;
+}
+
+template <class State>
+bool BasicResidentClusters<State>::pinned(ClusterId id) const {
+  return id == receiver_ || id == shooter_ || std::binary_search(held_.begin(), held_.end(), id);
+}
+
+template <class State>
+void BasicResidentClusters<State>::list_missing(ClusterId id,
+                                                std::vector<SectionName>& missing) const {
+  const auto found = entries_.find(id);
+  const Entry* entry = found == entries_.end() ? nullptr : &found->second;
+  const bool here = entry != nullptr && entry->state != nullptr;
+  const bool as_committed = shoots_as_committed(id);
+  if (as_committed && entry != nullptr && entry->previous) return;
+  if (!here) missing.push_back({id, Section::geometry});
+  if (as_committed || !here || entry->iteration < newest_iteration(files_, id)) {
+    missing.push_back({id, Section::patches, as_committed || !files_.written(id)});
+  }
+}
+
+template <class State>
+void BasicResidentClusters<State>::hold(std::vector<ClusterId> shooters) {
+  std::sort(shooters.begin(), shooters.end());
+  shooters.erase(std::unique(shooters.begin(), shooters.end()), shooters.end());
+  held_ = std::move(shooters);
+  std::vector<SectionName> missing;
+  for (const ClusterId id : held_) list_missing(id, missing);
+  files_.announce(missing);
+  for (const ClusterId id : held_) pin_shooter(id);
+  unpin();
 }
 
 template <class State>
@@ -187,7 +249,7 @@ WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
   Entry& entry = entries_.at(id);
   shrink(*entry.state);
   const State& state = *entry.state;
-  RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
+  const RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
   WrittenReceiver written;
   written.patches = {shooter.patches, 0, shooter.bytes, 0};
   written.links = {links_count.links, 0, links_count.bytes, 0};
@@ -198,10 +260,10 @@ WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
   const std::uint64_t sum = checksum(links);
   written.links_changed = sum != entry.links_checksum;
   if (!written.links_changed) links.clear();
-  store_.write(id, patches, {0, shooter.patches, 0, written.patches.file_bytes}, links,
+  files_.write(id, patches, {0, shooter.patches, 0, written.patches.file_bytes}, links,
                {0, 0, links_count.links, written.links.file_bytes});
   entry.links_checksum = written.links.version = sum;
-  entry.iteration = store_.committed() + 1;
+  entry.iteration = files_.committed() + 1;
   measure(entry);
   return written;
 }
@@ -255,7 +317,7 @@ void BasicResidentClusters<State>::evict(bool pressed) {
     ++count_.evictions;
   }
   // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
-  if (freed_bytes_ > budget_bytes_ / 8) {
+  if (manager_ == MemoryManager::own && freed_bytes_ > budget_bytes_ / 8) {
     malloc_trim(0);
     freed_bytes_ = 0;
   }
