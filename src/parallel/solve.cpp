@@ -10,6 +10,7 @@
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_ranks.hpp"
+#include "parallel/spmd.hpp"
 #include "store/posix_file.hpp"
 
 namespace enfilade {
