@@ -37,8 +37,8 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
 /// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
 /// keeps them in memory where it is going to gather for them.
 void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
-                Communicator& communicator, RadiosityWork& work, std::span<const ClusterId> own,
-                bool keep) {
+                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
+                std::span<const ClusterId> own, bool keep) {
   communicator.on_root([&] {
     make_directory(store.layout().common());
     remove_manifest(store.layout());
@@ -47,9 +47,10 @@ void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
   for (const ClusterId id : own) {
     ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
     store.write_initial(state);
-    work.add_start(std::move(state), keep);
+    recorder.add_start(state);
+    if (keep) work.adopt(std::move(state));
   }
-  work.finish_start();
+  recorder.write(0);
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
@@ -123,14 +124,16 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
-  RadiosityWork work(prepared, layout, communicator.rank(),
-                     slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
+  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+                     recorder,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
                       config.jacobi, config.memory_manager});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
-    start_anew(prepared, basis, store, communicator, work, own, !has_master(config, communicator));
+    start_anew(prepared, basis, store, communicator, work, recorder, own,
+               !has_master(config, communicator));
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
@@ -141,23 +144,19 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
-  const auto judge_and_plan = [&](std::vector<IterationSummary>& so_far) {
-    so_far.back().error = estimate_error(so_far, emitted);
-    return next_plan(so_far, plan_config);
+  const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
+    return iterate(
+        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
+        manifest ? manifest->correction : std::vector<double>{}, so_far,
+        [&](std::vector<IterationSummary>& done) {
+          done.back().error = estimate_error(done, emitted);
+          return next_plan(done, plan_config);
+        },
+        observer);
   };
-  RunRecord record = run_ranks(
-      {.loop =
-           [&](std::vector<IterationSummary>& so_far) {
-             return iterate({config, prepared, communicator, machine, cost, store, remote, work},
-                            own, plan, manifest ? manifest->correction : std::vector<double>{},
-                            so_far, judge_and_plan, observer);
-           },
-       .counts = [&] { return std::pair(store.count(), work.residency_count()); },
-       .prepared = prepared,
-       .basis = basis,
-       .emitted = emitted,
-       .history = std::move(history)},
-      communicator, machine);
+  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+                                [&] { return std::pair(store.count(), work.residency_count()); }},
+                               communicator, machine, iterate_all);
   if (communicator.root()) {
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));
