@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "parallel/leak_file.hpp"
 #include "parallel/peak_memory.hpp"
 #include "parallel/run_mark.hpp"
 #include "scene/scene_io.hpp"
@@ -120,7 +121,9 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   p.covered_area_m2 = report.covered_area_m2;
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);
-  p.cells = build_cells(pieces, config.cells);
+  std::vector<Leak> leaks;
+  p.cells = build_cells(pieces, config.cells, leaks);
+  warn_of_leaks(leaks, warnings);
   std::vector<CellPiece> cell_pieces;
   for (const Piece& piece : pieces) {
     const std::vector<CellPiece> parts = p.cells.cut(piece);
@@ -144,6 +147,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   keep_scene(p.scene, run_directory + "/scene.json");
   replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));
+  write_leaks(run_directory, leaks);
   write_graph(p.graph, run_directory + "/graph.txt");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   p.warnings = warnings;
