@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "radiosity/dark_polygons.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -32,8 +34,16 @@ std::size_t RadiosityWork::most_coarse_numbers() const {
 }
 
 void RadiosityWork::initialise(std::span<const ClusterId> own) {
+  // Every rank needs it of few clusters only, yet it depends on all.
+  WorkCount work;
+  const std::vector<char> dark =
+      dark_polygons(prepared_.scene, prepared_.clusters, occluders_, work);
+  machine_.compute(work);
   for (const ClusterId id : own) {
     ClusterState state(prepared_.clusters[id.index()], prepared_.scene, config_.basis);
+    for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
+      if (dark[occluders_.global(id, k)] != 0) state.patches().seal(k);
+    }
     store_.write_initial(state);
     resident_.adopt(std::move(state));
   }
