@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "radiosity/dark_polygons.hpp"
-
 namespace enfilade {
 namespace {
 
@@ -14,13 +12,14 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
 
 }  // namespace
 
-RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank,
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
                              Machine& machine, const RadiosityWorkConfig& config)
     : prepared_(prepared),
+      layout_(layout),
+      files_(files),
       machine_(machine),
       config_(config),
-      store_(layout, rank, prepared.clusters.size(), machine),
-      resident_(store_, machine, config.memory_bytes),
+      resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
       group_of_cluster_(coarse_groups(prepared.clusters)),
       groups_(count_groups(group_of_cluster_)),
@@ -29,28 +28,8 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, 
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
 }
 
-std::size_t RadiosityWork::most_coarse_numbers() const {
-  return 16 + groups_ * (groups_ * (1 + 2 * bands_) + 2 * bands_ + 2);
-}
-
-void RadiosityWork::initialise(std::span<const ClusterId> own) {
-  // Every rank needs it of few clusters only, yet it depends on all.
-  WorkCount work;
-  const std::vector<char> dark =
-      dark_polygons(prepared_.scene, prepared_.clusters, occluders_, work);
-  machine_.compute(work);
-  for (const ClusterId id : own) {
-    ClusterState state(prepared_.clusters[id.index()], prepared_.scene, config_.basis);
-    for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
-      if (dark[occluders_.global(id, k)] != 0) state.patches().seal(k);
-    }
-    store_.write_initial(state);
-    resident_.adopt(std::move(state));
-  }
-}
-
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
-  store_.set_committed(plan.iteration - 1);
+  files_.set_committed(plan.iteration - 1);
   coarse_ = CoarseSystem(groups_, bands_);
   resident_.set_correction([this, own = std::vector<double>(changes.begin(), changes.end())](
                                ClusterState& state) {
@@ -59,7 +38,8 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   });
   // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.same_on_any_ranks && (plan.refine || plan.sample));
+  resident_.set_committed_only(config_.jacobi ||
+                               (config_.same_on_any_ranks && (plan.refine || plan.sample)));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
@@ -88,6 +68,15 @@ std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {
     visible.emplace_back(n);
   visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
   return visible;
+}
+
+void RadiosityWork::hold(std::span<const ClusterId> receivers) {
+  std::vector<ClusterId> shooters;
+  for (const ClusterId receiver : receivers) {
+    const std::vector<ClusterId> visible = visible_to(receiver);
+    shooters.insert(shooters.end(), visible.begin(), visible.end());
+  }
+  resident_.hold(std::move(shooters));
 }
 
 IterationSums RadiosityWork::gather(ClusterId receiver) {
@@ -146,7 +135,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   manifest.group_of_cluster = group_of_cluster_;
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);
-  commit_manifest(store_.layout(), manifest);
+  commit_manifest(layout_, manifest);
 }
 
 }  // namespace enfilade
