@@ -50,6 +50,7 @@ class RadiosityWork final : public ClusterWork {
               bool finished) override;
 
   ResidencyCount residency_count() const { return resident_.count(); }
+  const Occluders& occluders() const { return occluders_; }
 
  private:
   ResidualConfig sampling(const IterationPlan& plan) const;

@@ -12,6 +12,7 @@
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_ranks.hpp"
 #include "parallel/spmd.hpp"
+#include "radiosity/dark_polygons.hpp"
 #include "store/posix_file.hpp"
 
 namespace enfilade {
@@ -38,14 +39,21 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
 /// keeps them in memory where it is going to gather for them.
 void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
                 Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
-                std::span<const ClusterId> own, bool keep) {
+                std::span<const ClusterId> own, Machine& machine, bool keep) {
   communicator.on_root([&] {
     make_directory(store.layout().common());
     remove_manifest(store.layout());
     drop_costs(store.layout().run, -1);
   });
+  WorkCount count;
+  const std::vector<char> dark =
+      dark_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
+  machine.compute(count);
   for (const ClusterId id : own) {
     ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
+      if (dark[work.occluders().global(id, k)] != 0) state.patches().seal(k);
+    }
     store.write_initial(state);
     recorder.add_start(state);
     if (keep) work.adopt(std::move(state));
@@ -132,7 +140,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
-    start_anew(prepared, basis, store, communicator, work, recorder, own,
+    start_anew(prepared, basis, store, communicator, work, recorder, own, machine,
                !has_master(config, communicator));
   }
 
