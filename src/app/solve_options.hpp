@@ -16,6 +16,7 @@ struct SolveOptions {
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
   std::string basis = "auto", assignment = "kmeans", order = "travelling-salesman";
+  std::string oracle = "error", visibility = "shafts";
   std::string memory, local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;

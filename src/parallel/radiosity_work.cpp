@@ -54,6 +54,8 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   gather_config_.close_rows = plan.close_rows;
   gather_config_.refinement.max_depth = config_.max_depth;
   gather_config_.refinement.min_area_m2 = config_.min_area_m2;
+  gather_config_.refinement.oracle = config_.oracle;
+  gather_config_.refinement.visibility = config_.visibility;
 }
 
 std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {

@@ -21,6 +21,8 @@ struct RadiosityWorkConfig {
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   bool same_on_any_ranks =
       false;  ///< refine by committed light alone; the paper takes a rank's newest
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::shafts;
 };
 
 class RadiosityWork final : public ClusterWork {

@@ -90,9 +90,9 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
                             memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
   TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(
-      prepared, layout, communicator.rank(), machine,
-      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction});
+  RadiosityWork work(prepared, layout, communicator.rank(), machine,
+                     {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
+                      config.oracle, config.visibility});
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
                                    8 * work.most_coarse_numbers());
@@ -126,6 +126,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   RunRecord record =
       gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
   if (communicator.root()) {
+    record.set("oracle", config.oracle == OracleKind::error ? "error" : "bf");
+    record.set("visibility", config.visibility == VisibilityMethod::shafts ? "shafts" : "rays");
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));
   }

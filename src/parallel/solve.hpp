@@ -12,6 +12,7 @@
 #include "parallel/iteration_plan.hpp"
 #include "parallel/prepare.hpp"
 #include "radiosity/cluster_state.hpp"
+#include "radiosity/refinement_oracle.hpp"
 #include "tour/tour.hpp"
 
 namespace enfilade {
@@ -32,6 +33,8 @@ struct SolveConfig {
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
   bool resume = false;            ///< go on from the last committed iteration
   int max_iterations = 200;
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::shafts;
   int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "radiosity/form_factor.hpp"
+#include "radiosity/visible_parts.hpp"
 
 namespace enfilade {
 namespace {
@@ -50,26 +51,29 @@ BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occ
   }
 }
 
-/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
-/// until they matter less than the threshold.
+/// Form factor of what p sees of a part of a bright polygon: exact where few polygons can stand
+/// between; where many can, the part is cut in two until it matters less than the threshold.
 double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
                                       const Bright& b, const PatchShape& shape, double threshold,
                                       int depth) const {
   const PolygonFrame& frame = b.forest->frames()[b.k];
-  const double factor = point_to_polygon(p, n, corners_of(*b.forest, b.k, shape));
+  const Polygon corners = corners_of(*b.forest, b.k, shape);
+  const double factor = point_to_polygon(p, n, corners);
   if (factor <= 0.0) return 0.0;
-  int open = 0, rays = 0;
-  auto look = [&](const Vec2& at) {
-    ++rays;
-    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon) ? 0 : 1;
-  };
-  for (const Vec2& q : shape.quadrature()) look(q);
-  if (factor > threshold) {
-    for (const Vec2& c : shape.vertices) look(shape.centroid + 0.98 * (c - shape.centroid));
+  if (factor <= threshold || depth >= 16) {
+    int open = 0;
+    for (const Vec2& q : shape.quadrature()) {
+      open += occluders_->rays().occluded(p, frame.at(q), own, b.polygon, RayStart::in_air) ? 0 : 1;
+    }
+    return factor * open / 4.0;
   }
-  if (open == rays) return factor;
-  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
-  if (factor <= threshold || depth >= 16) return factor * open / rays;
+  if (const auto between = occluders_->between(p, corners, own, b.polygon, 24)) {
+    double seen = 0.0;
+    for (const Polygon& part : visible_parts(p, corners, *between, *occluders_)) {
+      seen += point_to_polygon(p, n, part);
+    }
+    return seen;
+  }
   auto [low, high] = shape.bisect();
   return visible_factor(p, n, own, b, low, threshold, depth + 1) +
          visible_factor(p, n, own, b, high, threshold, depth + 1);
@@ -125,7 +129,7 @@ void BrightPolygons::add_one(const Vec3& p, const Vec3& n, std::uint32_t own,
   const double factor = point_to_polygon(p, n, b.corners);
   if (factor <= 0.0) return;
   const Vec3 y = frame.at(b.forest->node(b.k).shape.point_in_quarter(quarter, r1, r2));
-  if (occluders_->rays().occluded(p, y, own, b.polygon)) return;
+  if (occluders_->rays().occluded(p, y, own, b.polygon, RayStart::in_air)) return;
   const double chance = (weights[i] - (i > 0 ? weights[i - 1] : 0.0)) / weights.back();
   for (std::size_t band = 0; band < irradiance.size(); ++band) {
     irradiance[band] += share[band] * factor / chance * b.radiosity(band);

@@ -152,7 +152,7 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
     v.within = unanimous ? 0.1 : 0.25;
     return v;
   }
-  if (unanimous && !shooter.is_group()) {
+  if (unanimous && !shooter.is_group() && method_ == VisibilityMethod::shafts) {
     ++work_->shafts;
     const std::uint32_t skip_shooter = shooter.is_light()
                                            ? RayScene::no_polygon

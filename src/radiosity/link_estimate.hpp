@@ -51,11 +51,16 @@ struct LinkEstimate {
   bool invisible = false;       ///< certain: nothing can ever arrive
 };
 
+enum class VisibilityMethod {
+  shafts,  ///< four rays, then a shaft or a polygon that proves the link open or shut; else 12 more
+  rays,    ///< rays alone
+};
+
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.
 class LinkEstimator {
  public:
-  LinkEstimator(const Occluders& occluders, WorkCount& work)
-      : occluders_(&occluders), work_(&work) {}
+  LinkEstimator(const Occluders& occluders, VisibilityMethod method, WorkCount& work)
+      : occluders_(&occluders), method_(method), work_(&work) {}
 
   /// `tolerance`: received power below which an error does not matter; it decides how many rays are
   /// cast.
@@ -81,6 +86,7 @@ class LinkEstimator {
                 class Random& random, std::uint32_t* blocker);
 
   const Occluders* occluders_;
+  VisibilityMethod method_;
   WorkCount* work_;
   std::vector<double> weights_;  ///< per polygon of a shooting group
   Polygon polygon_;

@@ -62,6 +62,21 @@ bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blo
   return true;
 }
 
+std::optional<std::vector<std::uint32_t>> Occluders::between(const Vec3& x, const Polygon& target,
+                                                             std::uint32_t skip_a,
+                                                             std::uint32_t skip_b,
+                                                             std::size_t most) const {
+  const double tolerance_m = 1e-7 * extent_m_;
+  return shafts_->meeting(shaft_between({x}, target, tolerance_m), tolerance_m, skip_a, skip_b,
+                          most);
+}
+
+std::vector<std::uint32_t> Occluders::touching(const Vec3& p, double reach_m) const {
+  return shafts_->touching(p, reach_m);
+}
+
+const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }
+
 std::size_t Occluders::bytes() const {
   return rays_.bytes() + refs_.size() * (sizeof(PolygonRef) + 4 * sizeof(Vec3) + 80);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,14 @@ class Occluders {
                   std::uint32_t skip_b) const;
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
+  /// The polygons but skip_a and skip_b that reach into the pyramid between x and `target`, in
+  /// ascending order; nothing where there are more than `most`.
+  std::optional<std::vector<std::uint32_t>> between(const Vec3& x, const Polygon& target,
+                                                    std::uint32_t skip_a, std::uint32_t skip_b,
+                                                    std::size_t most) const;
+  /// The polygons that pass within reach_m of p, in ascending order.
+  std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
+  const Polygon& polygon(std::uint32_t global) const;
   double extent_m() const { return extent_m_; }
   std::size_t bytes() const;
 

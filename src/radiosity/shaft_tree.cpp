@@ -1,6 +1,7 @@
 #include "radiosity/shaft_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace enfilade {
@@ -66,6 +67,18 @@ bool reaches_into(const Polygon& polygon, std::span<const Plane> shaft, double t
   return true;
 }
 
+/// Is p within reach of the (convex) polygon, counting a little beyond its corners?
+bool touches(const Polygon& polygon, const Vec3& p, double reach_m) {
+  const Plane plane = plane_of(polygon);
+  if (std::abs(plane.signed_distance(p)) > reach_m) return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vec3 inward = glm::cross(plane.n, edge);
+    if (glm::dot(inward, p - polygon[i]) < -reach_m * glm::length(edge)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<Plane> shaft_between(const Polygon& a, const Polygon& b, double tolerance_m) {
@@ -118,7 +131,16 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
 
 bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
                         std::uint32_t skip_b) const {
-  if (nodes_.empty()) return false;
+  return !meeting(shaft, tolerance_m, skip_a, skip_b, 0);
+}
+
+std::optional<std::vector<std::uint32_t>> ShaftTree::meeting(std::span<const Plane> shaft,
+                                                             double tolerance_m,
+                                                             std::uint32_t skip_a,
+                                                             std::uint32_t skip_b,
+                                                             std::size_t most) const {
+  std::vector<std::uint32_t> met;
+  if (nodes_.empty()) return met;
   Polygon scratch_a, scratch_b;
   std::vector<std::int32_t> stack{0};
   while (!stack.empty()) {
@@ -133,10 +155,38 @@ bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::u
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const std::uint32_t k = order_[i];
       if (k == skip_a || k == skip_b) continue;
-      if (reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) return true;
+      if (!reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) continue;
+      if (met.size() == most) return std::nullopt;
+      met.push_back(k);
     }
   }
-  return false;
+  std::sort(met.begin(), met.end());
+  return met;
+}
+
+std::vector<std::uint32_t> ShaftTree::touching(const Vec3& p, double reach_m) const {
+  std::vector<std::uint32_t> near;
+  if (nodes_.empty()) return near;
+  const Vec3 margin(reach_m);
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (glm::any(glm::lessThan(p + margin, node.box.lo)) ||
+        glm::any(glm::greaterThan(p - margin, node.box.hi))) {
+      continue;
+    }
+    if (node.left >= 0) {
+      stack.push_back(node.left);
+      stack.push_back(node.right);
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (touches(polygons_[order_[i]], p, reach_m)) near.push_back(order_[i]);
+    }
+  }
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 }  // namespace enfilade

@@ -32,12 +32,16 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.basis = "constant";
   options.assignment = "round-robin";
   options.order = "input";
+  options.oracle = "bf";
+  options.visibility = "rays";
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
   EXPECT_EQ(config.memory_bytes, 3u << 19);
   EXPECT_EQ(config.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
   EXPECT_EQ(config.order, TourOrder::input);
+  EXPECT_EQ(config.oracle, OracleKind::brightness_form_factor);
+  EXPECT_EQ(config.visibility, VisibilityMethod::rays);
   EXPECT_FALSE(config.steal);
   EXPECT_FALSE(config.coarse_correction);
   EXPECT_TRUE(config.resume);
