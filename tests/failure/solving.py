@@ -28,7 +28,7 @@ class Solving(unittest.TestCase):
 
     def run_enfilade(self, *args, ranks=0):
         command = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks else []
-        return subprocess.run([*command, self.enfilade, *map(str, args)], capture_output=True, text=True, timeout=60)
+        return subprocess.run([*command, self.enfilade, *map(str, args)], capture_output=True, text=True, timeout=240)
 
     def solve(self, scene, *options, ranks=0, run=None):
         """The RUN directory and what was said; fails the test where the run did. `scene`: a file, or one to be written."""
