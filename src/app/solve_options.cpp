@@ -34,8 +34,8 @@ bool is_directory(const std::string& path) {
   return fs::is_directory(path, code);
 }
 
-TourOrder order_of(const std::string& name) {
-  return name == "input" ? TourOrder::input : TourOrder::travelling_salesman;
+std::vector<std::string> texts(std::span<const char* const> names) {
+  return {names.begin(), names.end()};
 }
 
 void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
@@ -81,15 +81,25 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
 void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How the work is cut up and ordered";
   sub.add_option(
-         "--assignment", o.assignment,
-         "Clusters to ranks: kmeans (figure 1), metis, greedy (grown by estimated form factors, "
-         "after Funkhouser 96) or round-robin")
-      ->check(CLI::IsMember({"kmeans", "metis", "greedy", "round-robin"}))
+         "--scheme", o.scheme,
+         "How ranks share the work: spmd, each with files of its own, stealing; master-slave, "
+         "groups by messages from rank 0 (after Funkhouser 96); replicated, one cell after the "
+         "other on all ranks (after Feng and Yang 97)")
+      ->check(CLI::IsMember(texts(scheme_names())))
       ->capture_default_str()
       ->group(group);
-  sub.add_option("--order", o.order,
-                 "Order in which a rank's clusters gather: travelling-salesman or input")
-      ->check(CLI::IsMember({"travelling-salesman", "input"}))
+  sub.add_option("--assignment", o.assignment,
+                 "Clusters to ranks (spmd): kmeans (figure 1), metis, greedy (grown by estimated "
+                 "form factors, "
+                 "after Funkhouser 96) or round-robin")
+      ->check(CLI::IsMember(texts(assignment_names())))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option(
+         "--order", o.order,
+         "Order in which a rank's clusters gather: travelling-salesman, greedy, random, input "
+         "(as numbered), backtracking (depth first), unshot-energy (where most light waits)")
+      ->check(CLI::IsMember(texts(order_names())))
       ->capture_default_str()
       ->group(group);
   sub.add_flag("--no-steal", o.no_steal,
@@ -98,9 +108,24 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   sub.add_flag("--no-coarse-correction", o.no_correction,
                "The paper's group iteration as it is, which needs more iterations at many ranks")
       ->group(group);
+  sub.add_option(
+         "--iteration", o.iteration,
+         "Light that a gather takes from its own rank's clusters: gauss-seidel, the newest; "
+         "jacobi, the last iteration's")
+      ->check(CLI::IsMember({"gauss-seidel", "jacobi"}))
+      ->capture_default_str()
+      ->group(group);
   sub.add_option("--memory", o.memory,
                  "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. "
                  "Default: no limit")
+      ->group(group);
+  sub.add_option(
+         "--memory-manager", o.memory_manager,
+         "own: the solver places clusters in the memory itself and gives back what is free; "
+         "malloc: leave that to a general-purpose heap. stats.json tells the heap's extent "
+         "and what of it would be swapped, where --memory is given")
+      ->check(CLI::IsMember({"own", "malloc"}))
+      ->capture_default_str()
       ->group(group);
   sub.add_option("--local-dir", o.local_directory,
                  "Where each rank makes its local directory; default: RUN/local")
@@ -147,9 +172,12 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
+  config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;
+  config.scheme = scheme_of(scheme);
   config.assignment = assignment_method(assignment);
-  config.order = order_of(order);
+  config.order = tour_order(order);
+  config.jacobi = iteration == "jacobi";
   config.steal = !no_steal;
   config.coarse_correction = !no_correction;
   config.resume = resume;

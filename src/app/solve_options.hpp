@@ -15,9 +15,10 @@ struct SolveOptions {
   std::string input, output;
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
-  std::string basis = "auto", assignment = "kmeans", order = "travelling-salesman";
+  std::string basis = "auto", scheme = "spmd", assignment = "kmeans", order = "travelling-salesman";
   std::string oracle = "error", visibility = "shafts";
-  std::string memory, local_directory, cost_model;
+  std::string iteration = "gauss-seidel";
+  std::string memory, memory_manager = "own", local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;
   bool no_steal = false, no_correction = false, resume = false, quiet = false;

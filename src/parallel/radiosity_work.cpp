@@ -12,33 +12,22 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
 
 }  // namespace
 
-RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank,
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
                              Machine& machine, const RadiosityWorkConfig& config)
     : prepared_(prepared),
+      layout_(layout),
+      files_(files),
       machine_(machine),
       config_(config),
-      store_(layout, rank, prepared.clusters.size(), machine),
-      resident_(store_, machine, config.memory_bytes),
+      resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
       group_of_cluster_(coarse_groups(prepared.clusters)),
       groups_(count_groups(group_of_cluster_)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
       coarse_(groups_, bands_) {}
 
-std::size_t RadiosityWork::most_coarse_numbers() const {
-  return 16 + groups_ * (groups_ * (1 + 2 * bands_) + 2 * bands_ + 2);
-}
-
-void RadiosityWork::initialise(std::span<const ClusterId> own) {
-  for (const ClusterId id : own) {
-    ClusterState state(prepared_.clusters[id.index()], prepared_.scene, config_.basis);
-    store_.write_initial(state);
-    resident_.adopt(std::move(state));
-  }
-}
-
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
-  store_.set_committed(plan.iteration - 1);
+  files_.set_committed(plan.iteration - 1);
   coarse_ = CoarseSystem(groups_, bands_);
   resident_.set_correction([this, own = std::vector<double>(changes.begin(), changes.end())](
                                ClusterState& state) {
@@ -47,7 +36,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   });
   // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.same_on_any_ranks && plan.refine);
+  resident_.set_committed_only(config_.jacobi || (config_.same_on_any_ranks && plan.refine));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
@@ -64,6 +53,15 @@ std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {
     visible.emplace_back(n);
   visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
   return visible;
+}
+
+void RadiosityWork::hold(std::span<const ClusterId> receivers) {
+  std::vector<ClusterId> shooters;
+  for (const ClusterId receiver : receivers) {
+    const std::vector<ClusterId> visible = visible_to(receiver);
+    shooters.insert(shooters.end(), visible.begin(), visible.end());
+  }
+  resident_.hold(std::move(shooters));
 }
 
 IterationSums RadiosityWork::gather(ClusterId receiver) {
@@ -118,7 +116,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   manifest.group_of_cluster = group_of_cluster_;
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);
-  commit_manifest(store_.layout(), manifest);
+  commit_manifest(layout_, manifest);
 }
 
 }  // namespace enfilade

@@ -93,7 +93,9 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
                                     n(peak),
                                     n(own.residency.peak_bytes),
                                     n(own.residency.over_budget_bytes),
-                                    own.span_s};
+                                    own.span_s,
+                                    n(own.residency.placement.extent_bytes),
+                                    n(own.residency.placement.swapped_bytes)};
   const auto ranks = communicator.gather(mine);
   RunRecord record;
   if (!communicator.root()) return record;
@@ -108,6 +110,8 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   record.set("peak_rss_bytes", std::llround(largest(column(ranks, 7))));
   record.set("peak_cluster_bytes", std::llround(largest(column(ranks, 8))));
   record.set("over_budget_bytes", std::llround(largest(column(ranks, 9))));
+  record.set("heap_extent_bytes", std::llround(largest(column(ranks, 11))));
+  record.set("swapped_bytes", sum(column(ranks, 12)));
   record.set("prepare_s", RunRecord::Value(prepared.prepare_s));
   if (machine.simulated()) record.set("simulated_s", RunRecord::Value(largest(column(ranks, 10))));
   record.set("compute_s", RunRecord::Value(column(ranks, 0)));

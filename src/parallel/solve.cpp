@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "parallel/cell_dealer.hpp"
+#include "parallel/dealing.hpp"
+#include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_statistics.hpp"
@@ -13,6 +16,10 @@
 
 namespace enfilade {
 namespace {
+
+double worst_band(const Spectrum& power) {
+  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+}
 
 double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -39,6 +46,18 @@ std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis)
   return bytes;
 }
 
+/// What each cluster emits, in its brightest band; the scene's point lights are on none.
+std::vector<double> emitted_powers(const Prepared& prepared) {
+  const Spectrum points = emitted_power(prepared.scene, {});
+  std::vector<double> powers;
+  for (const Cluster& cluster : prepared.clusters) {
+    Spectrum power = emitted_power(prepared.scene, {&cluster, 1});
+    for (std::size_t b = 0; b < power.size(); ++b) power[b] -= points[b];
+    powers.push_back(worst_band(power));
+  }
+  return powers;
+}
+
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,
                                            const RunLayout& layout) {
   if (!config.resume) return std::nullopt;
@@ -52,20 +71,68 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   return manifest;
 }
 
-/// RUN/common as it is before the first iteration.
-void start_anew(const RunLayout& layout, Communicator& communicator, RadiosityWork& work,
-                std::span<const ClusterId> own) {
+/// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
+/// keeps them in memory where it is going to gather for them.
+void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
+                Communicator& communicator, RadiosityWork& work, std::span<const ClusterId> own,
+                bool keep) {
   communicator.on_root([&] {
-    make_directory(layout.common());
-    remove_manifest(layout);
+    make_directory(store.layout().common());
+    remove_manifest(store.layout());
   });
-  work.initialise(own);
+  for (const ClusterId id : own) {
+    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    store.write_initial(state);
+    if (keep) work.adopt(std::move(state));
+  }
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+/// All that the loop of a scheme runs on.
+struct Solver {
+  const SolveConfig& config;
+  const Prepared& prepared;
+  Communicator& communicator;
+  Machine& machine;
+  const VisibilityCost& cost;
+  ClusterStore& store;
+  RemoteFiles& remote;
+  RadiosityWork& work;
+
+  std::unique_ptr<Order> order() const {
+    return make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared));
+  }
+  int slaves() const { return communicator.size() - 1; }
+  std::unique_ptr<Dealer> dealer() const {
+    if (config.scheme == Scheme::master_slave)
+      return std::make_unique<GroupDealer>(prepared, slaves(), *order(), cost, config.steal);
+    return std::make_unique<CellDealer>(prepared, slaves(), emitted_powers(prepared), config.seed,
+                                        config.steal);
+  }
+};
+
+/// A rank that is alone has nobody to be the master of.
+bool has_master(const SolveConfig& config, const Communicator& communicator) {
+  return config.scheme != Scheme::spmd && communicator.size() > 1;
+}
+
+IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const IterationPlan& plan,
+                      const std::vector<double>& changes, std::vector<IterationSummary>& history,
+                      const PlanNext& plan_next, const SummaryObserver& observer) {
+  const bool correction = s.config.coarse_correction;
+  if (!has_master(s.config, s.communicator)) {
+    TaskList tasks({own.begin(), own.end()}, s.cost, s.order());
+    s.work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
+    return run_spmd(s.work, tasks, s.communicator, s.machine, {s.config.steal, correction}, plan,
+                    changes, history, plan_next, observer);
+  }
+  if (!s.communicator.root())
+    return run_slave(s.work, s.remote, s.communicator, s.machine, correction, plan, changes);
+  Judge judge(s.work, s.machine, correction, history, plan_next, observer);
+  const std::unique_ptr<Dealer> dealer = s.dealer();
+  return Master(s.work, s.store, *dealer, s.communicator, s.machine, judge, correction)
+      .run(plan, changes);
 }
 
 }  // namespace
@@ -89,14 +156,15 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       own_clusters(prepared, config, communicator.rank(), communicator.size());
   const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
                             memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
-  TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(prepared, layout, communicator.rank(), machine,
+  ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
+  RemoteFiles remote(communicator, machine);
+  const bool slave = has_master(config, communicator) && !communicator.root();
+  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
-                      config.oracle, config.visibility});
-  work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
-  communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
-                                   8 * work.most_coarse_numbers());
-  if (!manifest) start_anew(layout, communicator, work, own);
+                      config.jacobi, config.memory_manager, config.oracle, config.visibility});
+  if (!manifest) {
+    start_anew(prepared, basis, store, communicator, work, own, !has_master(config, communicator));
+  }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
   const PlanConfig plan_config{.emitted_power = worst_band(emitted),
@@ -110,8 +178,9 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
 
   const double start_s = machine.now_s();
   const TimeUse before = machine.time_use();
-  const IterationPlan last = run_spmd(
-      work, tasks, communicator, machine, {config.steal, config.coarse_correction}, plan,
+  const MessageCount sent_before = communicator.sent();
+  const IterationPlan last = iterate(
+      {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
       manifest ? manifest->correction : std::vector<double>{}, history,
       [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
       observer);
@@ -120,9 +189,10 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const RankStatistics mine{
       {after.compute_s - before.compute_s, after.io_s - before.io_s, after.idle_s - before.idle_s},
       machine.now_s() - start_s,
-      work.store_count(),
+      store.count(),
       work.residency_count(),
-      communicator.sent()};
+      {communicator.sent().messages - sent_before.messages,
+       communicator.sent().bytes - sent_before.bytes}};
   RunRecord record =
       gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
   if (communicator.root()) {

@@ -21,11 +21,20 @@ RecordCount links_record(const ClusterState& state) {
   return count;
 }
 
+/// The newest that this rank may see: its own of this iteration, or the committed one.
+int newest_iteration(const ClusterFiles& files, ClusterId id) {
+  return files.committed() + (files.written(id) ? 1 : 0);
+}
+
 }  // namespace
 
-ResidentClusters::ResidentClusters(ClusterStore& store, Machine& machine,
-                                   std::uint64_t budget_bytes)
-    : store_(store), machine_(machine), budget_bytes_(budget_bytes) {
+ResidentClusters::ResidentClusters(ClusterFiles& files, Machine& machine,
+                                   std::uint64_t budget_bytes, MemoryManager manager)
+    : files_(files),
+      machine_(machine),
+      budget_bytes_(budget_bytes),
+      manager_(manager),
+      placement_(manager, budget_bytes) {
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
 
@@ -34,7 +43,7 @@ void ResidentClusters::adopt(ClusterState state) {
   entry.links_checksum = checksum(state.bytes_of(Section::links));
   entry.state = std::make_unique<ClusterState>(std::move(state));
   entry.has_links = true;
-  entry.iteration = store_.committed();
+  entry.iteration = files_.committed();
   measure(entry);
   evict(false);
 }
@@ -57,6 +66,12 @@ void ResidentClusters::measure(Entry& entry) {
     previous.bytes = entry.previous->memory_bytes();
     entry.shooter_bytes += machine_.record_bytes(previous);
   }
+  if (budget_bytes_ > 0) {
+    entry.shooter_bytes = placement_.accounted(entry.shooter_bytes);
+    entry.links_bytes = placement_.accounted(entry.links_bytes);
+    placement_.resize(entry.shooter_block, entry.shooter_bytes);
+    placement_.resize(entry.links_block, entry.links_bytes);
+  }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
   count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
   if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
@@ -64,17 +79,29 @@ void ResidentClusters::measure(Entry& entry) {
   }
 }
 
+void ResidentClusters::use(ClusterId id, const Entry& entry, bool links) {
+  std::uint64_t swapped = placement_.use(entry.shooter_block);
+  if (links) swapped += placement_.use(entry.links_block);
+  if (swapped == 0) return;
+  const PhaseScope phase(machine_, Phase::io);
+  machine_.read(Disk::local, id.value, swapped);
+}
+
+ResidencyCount ResidentClusters::count() const {
+  ResidencyCount count = count_;
+  count.placement = placement_.count();
+  return count;
+}
+
 void ResidentClusters::load(ClusterId id, Entry& entry) {
-  // The newest that this rank may see: its own of this iteration, or the committed one.
-  const int newest = store_.committed() + (store_.written(id) ? 1 : 0);
-  if (entry.state && entry.iteration >= newest) {
+  if (entry.state && entry.iteration >= newest_iteration(files_, id)) {
     ++count_.hits;
     return;
   }
   ++count_.loads;
   const std::vector<std::byte> geometry =
-      entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
-  const SectionFile patches = store_.read_patches(id);
+      entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
+  const SectionFile patches = files_.read_patches(id);
   entry.state =
       std::make_unique<ClusterState>(geometry, patches.bytes, std::span<const std::byte>());
   entry.has_links = entry.corrected = false;
@@ -90,13 +117,13 @@ void ResidentClusters::set_correction(std::function<void(ClusterState&)> correct
 /// Files hold what the gathers brought; the correction that belongs to the committed iteration is
 /// applied to what comes from them, and to what stayed in memory.
 void ResidentClusters::correct(Entry& entry) {
-  if (!correction_ || entry.corrected || entry.iteration != store_.committed()) return;
+  if (!correction_ || entry.corrected || entry.iteration != files_.committed()) return;
   correction_(*entry.state);
   entry.corrected = true;
 }
 
 void ResidentClusters::load_links(ClusterId id, Entry& entry) {
-  const SectionFile links = store_.read_links(id);
+  const SectionFile links = files_.read_links(id);
   entry.state =
       std::make_unique<ClusterState>(entry.state->bytes_of(Section::geometry),
                                      entry.state->bytes_of(Section::patches), links.bytes);
@@ -119,9 +146,9 @@ void ResidentClusters::set_committed_only(bool committed_only) {
 const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
   if (!entry.previous) {
     const std::vector<std::byte> geometry =
-        entry.state ? entry.state->bytes_of(Section::geometry) : store_.read_geometry(id).bytes;
+        entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
     entry.previous = std::make_unique<ClusterState>(
-        geometry, store_.read_committed_patches(id).bytes, std::span<const std::byte>());
+        geometry, files_.read_committed_patches(id).bytes, std::span<const std::byte>());
     if (correction_) correction_(*entry.previous);
     measure(entry);
   }
@@ -140,20 +167,49 @@ ClusterState& ResidentClusters::pin_receiver(ClusterId id, std::span<const Clust
   visible_ = visible;
   Entry& entry = newest(id);
   if (!entry.has_links) load_links(id, entry);
-  if (committed_only_ && !store_.written(id)) {
+  if (committed_only_ && !files_.written(id)) {
     entry.previous = std::make_unique<ClusterState>(entry.state->shooter());
     measure(entry);
   }
   evict(true);
+  use(id, entry, true);
   return *entry.state;
 }
 
 const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
   shooter_ = id;
   const ClusterState& state =
-      committed_only_ && store_.written(id) ? committed(id, entries_[id]) : *newest(id).state;
+      shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict(true);
+  use(id, entries_.at(id), false);
   return state;
+}
+
+bool ResidentClusters::pinned(ClusterId id) const {
+  return id == receiver_ || id == shooter_ || std::binary_search(held_.begin(), held_.end(), id);
+}
+
+void ResidentClusters::list_missing(ClusterId id, std::vector<SectionName>& missing) const {
+  const auto found = entries_.find(id);
+  const Entry* entry = found == entries_.end() ? nullptr : &found->second;
+  const bool here = entry != nullptr && entry->state != nullptr;
+  const bool as_committed = shoots_as_committed(id);
+  if (as_committed && entry != nullptr && entry->previous) return;
+  if (!here) missing.push_back({id, Section::geometry});
+  if (as_committed || !here || entry->iteration < newest_iteration(files_, id)) {
+    missing.push_back({id, Section::patches, as_committed || !files_.written(id)});
+  }
+}
+
+void ResidentClusters::hold(std::vector<ClusterId> shooters) {
+  std::sort(shooters.begin(), shooters.end());
+  shooters.erase(std::unique(shooters.begin(), shooters.end()), shooters.end());
+  held_ = std::move(shooters);
+  std::vector<SectionName> missing;
+  for (const ClusterId id : held_) list_missing(id, missing);
+  files_.announce(missing);
+  for (const ClusterId id : held_) pin_shooter(id);
+  unpin();
 }
 
 void ResidentClusters::write_receiver(ClusterId id) {
@@ -167,9 +223,9 @@ void ResidentClusters::write_receiver(ClusterId id) {
   links_count.bytes = links.size();
   const std::uint64_t sum = checksum(links);
   if (sum == entry.links_checksum) links.clear();
-  store_.write(id, patches, patches_count, links, links_count);
+  files_.write(id, patches, patches_count, links, links_count);
   entry.links_checksum = sum;
-  entry.iteration = store_.committed() + 1;
+  entry.iteration = files_.committed() + 1;
   measure(entry);
 }
 
@@ -218,7 +274,7 @@ void ResidentClusters::evict(bool pressed) {
     ++count_.evictions;
   }
   // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
-  if (freed_bytes_ > budget_bytes_ / 8) {
+  if (manager_ == MemoryManager::own && freed_bytes_ > budget_bytes_ / 8) {
     malloc_trim(0);
     freed_bytes_ = 0;
   }

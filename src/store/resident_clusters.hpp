@@ -10,7 +10,8 @@
 
 #include "machine/machine.hpp"
 #include "radiosity/cluster_state.hpp"
-#include "store/cluster_store.hpp"
+#include "store/cluster_files.hpp"
+#include "store/placement.hpp"
 
 namespace enfilade {
 
@@ -20,6 +21,8 @@ struct ResidencyCount {
   /// Most by which the budget was passed: by the last cluster that came in before others could go,
   /// or by a gather whose receiver and one shooter are more than there is.
   std::uint64_t over_budget_bytes = 0;
+  /// Where there is a budget: what the memory manager made of it.
+  PlacementCount placement;
 };
 
 /// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
@@ -32,11 +35,15 @@ class ResidentClusters {
   using NextUse = std::function<std::uint64_t(ClusterId id, bool links)>;
 
   /// budget_bytes 0 = no limit.
-  ResidentClusters(ClusterStore& store, Machine& machine, std::uint64_t budget_bytes);
+  ResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes,
+                   MemoryManager manager = MemoryManager::own);
 
   void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
   /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
   void set_correction(std::function<void(ClusterState&)> correction);
+  /// Brings these clusters in as shooters, all at once, and keeps them until the next call,
+  /// whatever the budget.
+  void hold(std::vector<ClusterId> shooters);
   /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
   void adopt(ClusterState state);
 
@@ -57,7 +64,7 @@ class ResidentClusters {
 
   /// In the order of their ids.
   std::vector<ClusterId> resident() const;
-  const ResidencyCount& count() const { return count_; }
+  ResidencyCount count() const;
   std::uint64_t bytes() const { return bytes_; }
 
  private:
@@ -68,6 +75,7 @@ class ResidentClusters {
     int iteration = 0;                 ///< that these patches are of
     std::uint64_t links_checksum = 0;  ///< of the links in the file
     std::uint64_t shooter_bytes = 0, links_bytes = 0;
+    Placement::Block shooter_block = 0, links_block = 0;
   };
   Entry& newest(ClusterId id);
   void load(ClusterId id, Entry& entry);
@@ -75,21 +83,30 @@ class ResidentClusters {
   void correct(Entry& entry);
   void load_links(ClusterId id, Entry& entry);
   void measure(Entry& entry);
+  /// Its memory is used; what the system had to swap for that takes its time.
+  void use(ClusterId id, const Entry& entry, bool links);
   /// Turns until a part is used again; 0 = in the gather at hand.
   std::uint64_t turns_until(ClusterId id, bool links) const;
-  bool pinned(ClusterId id) const { return id == receiver_ || id == shooter_; }
+  bool pinned(ClusterId id) const;
+  /// Is what pin_shooter() gives of it the light before this iteration?
+  bool shoots_as_committed(ClusterId id) const { return committed_only_ && files_.written(id); }
+  /// What has to be read for it to shoot.
+  void list_missing(ClusterId id, std::vector<SectionName>& missing) const;
   void evict(bool pressed);
   void drop_links(Entry& entry);
 
-  ClusterStore& store_;
+  ClusterFiles& files_;
   Machine& machine_;
   std::uint64_t budget_bytes_;
+  MemoryManager manager_;
+  Placement placement_;
   NextUse next_use_;
   bool committed_only_ = false;
   std::function<void(ClusterState&)> correction_;
   std::map<ClusterId, Entry> entries_;
   ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid
   std::span<const ClusterId> visible_;
+  std::vector<ClusterId> held_;  ///< ascending
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
   ResidencyCount count_;
 };

@@ -20,6 +20,8 @@ TEST(SolveOptions, DefaultsAreTheSolversOwn) {
   EXPECT_EQ(config.assignment, expected.assignment);
   EXPECT_EQ(config.order, expected.order);
   EXPECT_EQ(config.steal, expected.steal);
+  EXPECT_EQ(config.jacobi, expected.jacobi);
+  EXPECT_EQ(config.scheme, expected.scheme);
   EXPECT_EQ(config.coarse_correction, expected.coarse_correction);
   EXPECT_EQ(config.memory_bytes, 0u);
 }
@@ -31,17 +33,23 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.memory = "1.5M";
   options.basis = "constant";
   options.assignment = "round-robin";
-  options.order = "input";
   options.oracle = "bf";
   options.visibility = "rays";
+  options.order = "backtracking";
+  options.scheme = "replicated";
+  options.memory_manager = "malloc";
+  options.iteration = "jacobi";
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
   EXPECT_EQ(config.memory_bytes, 3u << 19);
   EXPECT_EQ(config.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
-  EXPECT_EQ(config.order, TourOrder::input);
   EXPECT_EQ(config.oracle, OracleKind::brightness_form_factor);
   EXPECT_EQ(config.visibility, VisibilityMethod::rays);
+  EXPECT_EQ(config.order, TourOrder::backtracking);
+  EXPECT_EQ(config.scheme, Scheme::replicated);
+  EXPECT_EQ(config.memory_manager, MemoryManager::malloc);
+  EXPECT_TRUE(config.jacobi);
   EXPECT_FALSE(config.steal);
   EXPECT_FALSE(config.coarse_correction);
   EXPECT_TRUE(config.resume);
