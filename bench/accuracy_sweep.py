@@ -18,8 +18,8 @@ from pathlib import Path
 COUNTS = ("links", "patches", "rays", "shafts", "form_factors", "kernels", "iterations", "bands", "converged",
           "estimated_error", "flux_balance", "peak_rss_bytes")
 # (basis, oracle, visibility method): each once against the default, which comes first.
-METHODS = [("linear", "error", "shafts"), ("linear", "bf", "shafts"), ("constant", "error", "shafts"),
-           ("constant", "bf", "shafts"), ("linear", "error", "rays")]
+METHODS = [("linear", "error", "exact"), ("linear", "bf", "exact"), ("constant", "error", "exact"),
+           ("constant", "bf", "exact"), ("linear", "error", "rays")]
 
 
 def main():

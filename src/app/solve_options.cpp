@@ -68,8 +68,8 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
       ->capture_default_str()
       ->group(group);
   sub.add_option("--visibility", o.visibility,
-                 "How links are tested: shafts (proofs where four rays agree) or rays alone")
-      ->check(CLI::IsMember({"shafts", "rays"}))
+                 "How links are tested: exact (cut against the few polygons between) or rays alone")
+      ->check(CLI::IsMember({"exact", "rays"}))
       ->capture_default_str()
       ->group(group);
   sub.add_option("--max-iterations", o.max_iterations, "Give up after so many iterations")

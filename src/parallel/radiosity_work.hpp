@@ -24,7 +24,7 @@ struct RadiosityWorkConfig {
   bool jacobi = false;  ///< gather committed light alone, always
   MemoryManager memory_manager = MemoryManager::own;
   OracleKind oracle = OracleKind::error;
-  VisibilityMethod visibility = VisibilityMethod::shafts;
+  VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
 class RadiosityWork final : public ClusterWork {

@@ -197,7 +197,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
   if (communicator.root()) {
     record.set("oracle", config.oracle == OracleKind::error ? "error" : "bf");
-    record.set("visibility", config.visibility == VisibilityMethod::shafts ? "shafts" : "rays");
+    record.set("visibility", config.visibility == VisibilityMethod::exact ? "exact" : "rays");
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));
   }

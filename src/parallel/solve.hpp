@@ -39,7 +39,7 @@ struct SolveConfig {
   bool resume = false;  ///< go on from the last committed iteration
   int max_iterations = 200;
   OracleKind oracle = OracleKind::error;
-  VisibilityMethod visibility = VisibilityMethod::shafts;
+  VisibilityMethod visibility = VisibilityMethod::exact;
   int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;
 };

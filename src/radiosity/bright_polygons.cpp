@@ -1,12 +1,16 @@
 #include "radiosity/bright_polygons.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "radiosity/form_factor.hpp"
 #include "radiosity/visible_parts.hpp"
 
 namespace enfilade {
 namespace {
+
+/// Up to so many are cut away exactly.
+constexpr std::size_t most_occluders = 16;
 
 double top_radiosity(const PatchForest& f, std::size_t k) {
   const auto terms = static_cast<std::size_t>(f.terms());
@@ -43,63 +47,117 @@ BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occ
     const PatchForest& f = c.patches();
     for (std::uint32_t k = 0; k < f.polygons(); ++k) {
       const double top = top_radiosity(f, k);
-      if (top <= limit || limit <= 0.0) continue;
+      if (top <= 0.0) continue;
       const std::uint32_t number = occluders.global(c.id(), k);
-      is_bright_[number] = true;
-      bright_.push_back({number, &f, k, corners_of(f, k, f.node(k).shape), top});
+      is_bright_[number] = top > limit;
+      (top > limit ? bright_ : others_)
+          .push_back({number, &f, k, corners_of(f, k, f.node(k).shape), top});
     }
   }
 }
 
-/// Form factor of what p sees of a part of a bright polygon: exact where few polygons can stand
-/// between; where many can, the part is cut in two until it matters less than the threshold.
+/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
+/// until they matter less than the threshold.
 double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
                                       const Bright& b, const PatchShape& shape, double threshold,
                                       int depth) const {
   const PolygonFrame& frame = b.forest->frames()[b.k];
-  const Polygon corners = corners_of(*b.forest, b.k, shape);
-  const double factor = point_to_polygon(p, n, corners);
+  const double factor = point_to_polygon(p, n, corners_of(*b.forest, b.k, shape));
   if (factor <= 0.0) return 0.0;
-  if (factor <= threshold || depth >= 16) {
-    int open = 0;
-    for (const Vec2& q : shape.quadrature()) {
-      open += occluders_->rays().occluded(p, frame.at(q), own, b.polygon, RayStart::in_air) ? 0 : 1;
-    }
-    return factor * open / 4.0;
+  int open = 0, rays = 0;
+  auto look = [&](const Vec2& at) {
+    ++rays;
+    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon, RayStart::in_air) ? 0 : 1;
+  };
+  for (const Vec2& q : shape.quadrature()) look(q);
+  if (factor > threshold) {
+    for (const Vec2& c : shape.vertices) look(shape.centroid + 0.98 * (c - shape.centroid));
   }
-  if (const auto between = occluders_->between(p, corners, own, b.polygon, 24)) {
-    double seen = 0.0;
-    for (const Polygon& part : visible_parts(p, corners, *between, *occluders_)) {
-      seen += point_to_polygon(p, n, part);
-    }
-    return seen;
-  }
+  if (open == rays) return factor;
+  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
+  if (factor <= threshold || depth >= 16) return factor * open / rays;
   auto [low, high] = shape.bisect();
   return visible_factor(p, n, own, b, low, threshold, depth + 1) +
          visible_factor(p, n, own, b, high, threshold, depth + 1);
 }
 
-void BrightPolygons::add_all(const Vec3& p, const Vec3& n, std::uint32_t own,
-                             Spectrum& irradiance) const {
-  // A hidden part smaller than a thousandth of all that is bright here does not matter.
-  double total = 0.0;
-  std::vector<double> weight(bright_.size(), 0.0);
-  for (std::size_t i = 0; i < bright_.size(); ++i) {
-    const Bright& b = bright_[i];
+/// What each would give at p if nothing hid it.
+std::vector<double> BrightPolygons::weights(const std::vector<Bright>& polygons, const Vec3& p,
+                                            const Vec3& n, std::uint32_t own) {
+  std::vector<double> weight(polygons.size(), 0.0);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Bright& b = polygons[i];
     const PolygonFrame& frame = b.forest->frames()[b.k];
     if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
     weight[i] = point_to_polygon(p, n, b.corners) * b.top;
-    total += weight[i];
   }
+  return weight;
+}
+
+/// False where too much stands between.
+bool BrightPolygons::exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                                  double& factor) const {
+  std::vector<std::uint32_t> between;
+  if (!occluders_->find_between({p}, b.corners, own, b.polygon, most_occluders, between)) {
+    return false;
+  }
+  VisibleParts parts;
+  parts.begin(p, b.corners, occluders_->tolerance_m());
+  for (const std::uint32_t occluder : between) {
+    if (!parts.hide(occluders_->polygon(occluder))) return false;
+  }
+  factor = parts.factor(n);
+  return true;
+}
+
+/// Mean radiosity of the others that were not counted, by what each would give if nothing hid it.
+Spectrum BrightPolygons::ambient(std::span<const double> weights, std::span<const char> counted,
+                                 std::size_t bands) const {
+  Spectrum sum(bands, 0.0);
+  double factors = 0.0;
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const Bright& b = others_[i];
+    if (counted[b.polygon] != 0 || weights[i] <= 0.0) continue;
+    const double factor = weights[i] / b.top;
+    factors += factor;
+    for (std::size_t band = 0; band < bands; ++band) sum[band] += factor * b.radiosity(band);
+  }
+  for (double& s : sum) s = factors > 0.0 ? s / factors : 0.0;
+  return sum;
+}
+
+BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                                    Spectrum& irradiance) const {
+  Counted counted{std::vector<char>(is_bright_.size(), 0), {}};
+  const std::vector<double> bright = weights(bright_, p, n, own);
+  const std::vector<double> other = weights(others_, p, n, own);
+  const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
+  const double total = std::accumulate(other.begin(), other.end(), total_bright);
+  std::vector<std::pair<const Bright*, double>> factors;
+  double factor = 0.0;
   for (std::size_t i = 0; i < bright_.size(); ++i) {
-    if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
+    if (bright[i] <= 1e-6 * total_bright || bright[i] <= 0.0) continue;
     const Bright& b = bright_[i];
-    const double factor =
-        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / b.top, 0);
-    for (std::size_t band = 0; band < irradiance.size(); ++band) {
-      irradiance[band] += factor * b.radiosity(band);
+    // A hidden part smaller than a thousandth of all that is bright here does not matter.
+    if (!exact_factor(p, n, own, b, factor)) {
+      factor =
+          visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total_bright / b.top, 0);
+    }
+    factors.emplace_back(&b, factor);
+  }
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    if (other[i] <= 5e-3 * total || !exact_factor(p, n, own, others_[i], factor)) continue;
+    factors.emplace_back(&others_[i], factor);
+  }
+  for (const auto& [b, f] : factors) counted.polygons[b->polygon] = 1;
+  counted.ambient = ambient(other, counted.polygons, irradiance.size());
+  for (std::size_t band = 0; band < irradiance.size(); ++band) {
+    irradiance[band] += counted.ambient[band];
+    for (const auto& [b, f] : factors) {
+      irradiance[band] += f * (b->radiosity(band) - counted.ambient[band]);
     }
   }
+  return counted;
 }
 
 std::vector<double> BrightPolygons::weights_near(const Vec3& p) const {

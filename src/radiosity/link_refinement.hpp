@@ -16,7 +16,7 @@ struct RefinementConfig {
   int max_depth = 20;        ///< binary splits below a polygon
   double min_area_m2 = 0.0;  ///< no patch is split below this
   OracleKind oracle = OracleKind::error;
-  VisibilityMethod visibility = VisibilityMethod::shafts;
+  VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
 /// Refines the links of one receiving cluster. Splits its patches as it goes.

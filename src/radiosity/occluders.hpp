@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,16 +35,17 @@ class Occluders {
   /// b.
   bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
                   std::uint32_t skip_b) const;
+  /// The polygons but skip_a and skip_b that meet the convex hull of a and b, into `found`; false
+  /// where there are more than `most`.
+  bool find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                    std::size_t most, std::vector<std::uint32_t>& found) const;
+  const Polygon& polygon(std::uint32_t global) const;
+  /// Nearer to a plane than this is on it, for shafts and shadows.
+  double tolerance_m() const { return 1e-7 * extent_m_; }
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
-  /// The polygons but skip_a and skip_b that reach into the pyramid between x and `target`, in
-  /// ascending order; nothing where there are more than `most`.
-  std::optional<std::vector<std::uint32_t>> between(const Vec3& x, const Polygon& target,
-                                                    std::uint32_t skip_a, std::uint32_t skip_b,
-                                                    std::size_t most) const;
   /// The polygons that pass within reach_m of p, in ascending order.
   std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
-  const Polygon& polygon(std::uint32_t global) const;
   double extent_m() const { return extent_m_; }
   std::size_t bytes() const;
 

@@ -131,16 +131,15 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
 
 bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
                         std::uint32_t skip_b) const {
-  return !meeting(shaft, tolerance_m, skip_a, skip_b, 0);
+  std::vector<std::uint32_t> found;
+  find(shaft, tolerance_m, skip_a, skip_b, 0, found);
+  return !found.empty();
 }
 
-std::optional<std::vector<std::uint32_t>> ShaftTree::meeting(std::span<const Plane> shaft,
-                                                             double tolerance_m,
-                                                             std::uint32_t skip_a,
-                                                             std::uint32_t skip_b,
-                                                             std::size_t most) const {
-  std::vector<std::uint32_t> met;
-  if (nodes_.empty()) return met;
+void ShaftTree::find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+                     std::uint32_t skip_b, std::size_t most,
+                     std::vector<std::uint32_t>& found) const {
+  if (nodes_.empty()) return;
   Polygon scratch_a, scratch_b;
   std::vector<std::int32_t> stack{0};
   while (!stack.empty()) {
@@ -156,12 +155,10 @@ std::optional<std::vector<std::uint32_t>> ShaftTree::meeting(std::span<const Pla
       const std::uint32_t k = order_[i];
       if (k == skip_a || k == skip_b) continue;
       if (!reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) continue;
-      if (met.size() == most) return std::nullopt;
-      met.push_back(k);
+      found.push_back(k);
+      if (found.size() > most) return;
     }
   }
-  std::sort(met.begin(), met.end());
-  return met;
 }
 
 std::vector<std::uint32_t> ShaftTree::touching(const Vec3& p, double reach_m) const {

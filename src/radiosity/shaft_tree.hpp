@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,10 +22,10 @@ class ShaftTree {
   /// Does a polygon other than skip_a, skip_b reach more than tolerance_m into the shaft?
   bool blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
                std::uint32_t skip_b) const;
-  /// All that do, in ascending order; nothing where they are more than `most`.
-  std::optional<std::vector<std::uint32_t>> meeting(std::span<const Plane> shaft,
-                                                    double tolerance_m, std::uint32_t skip_a,
-                                                    std::uint32_t skip_b, std::size_t most) const;
+  /// Appends the polygons that `blocked` speaks of, until there are more than `most`; in the same
+  /// order for the same shaft.
+  void find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+            std::uint32_t skip_b, std::size_t most, std::vector<std::uint32_t>& found) const;
   /// The polygons that pass within reach_m of p, in ascending order.
   std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
   const Polygon& polygon(std::uint32_t k) const { return polygons_[k]; }

@@ -18,10 +18,15 @@ double area_seen(const Vec3& x, const std::vector<Polygon>& others) {
     scene.surfaces.push_back(s);
   }
   const Occluders occluders(testing::clusters_of(scene));
-  const auto between = occluders.between(x, lamp, RayScene::no_polygon, RayScene::no_polygon, 8);
-  EXPECT_TRUE(between.has_value());
+  std::vector<std::uint32_t> between;
+  EXPECT_TRUE(
+      occluders.find_between({x}, lamp, RayScene::no_polygon, RayScene::no_polygon, 8, between));
+  VisibleParts parts;
+  parts.begin(x, lamp, occluders.tolerance_m());
+  for (const std::uint32_t k : between) EXPECT_TRUE(parts.hide(occluders.polygon(k)));
   double sum = 0.0;
-  for (const Polygon& part : visible_parts(x, lamp, *between, occluders)) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Polygon part(parts[i].begin(), parts[i].end());
     EXPECT_LT(normal(part).z, 0.0);
     sum += area_m2(part);
   }
