@@ -81,7 +81,7 @@ class Lamps(Solving):
         for (p, n), answer in zip(probes, answers_of(run)):
             d = [a - b for a, b in zip(lamp, p)]
             r = math.hypot(*d)
-            self.assertAlmostEqual(answer[0], 5.0 * sum(a * b for a, b in zip(d, n)) / r**3, delta=1e-5)
+            self.assertAlmostEqual(answer[0], 5.0 * sum(a * b for a, b in zip(d, n)) / r**3, delta=1e-4)
 
     def test_a_point_light_on_the_ceiling_lights_the_room(self):
         probes = [((2, 1.5, 0), (0, 0, 1)), ((4, 1.5, 1), (-1, 0, 0))]
