@@ -30,6 +30,11 @@ class Numbers {
   const std::uint8_t *data_, *end_;
 };
 
+/// Area vectors add up, whether or not a polygon is quite planar.
+void require_same(const Vec3& sum, const Vec3& whole, double extent) {
+  require(glm::length(sum - whole) <= 1e-6 * extent * extent);
+}
+
 void check_factor(const Vec3& x, const Vec3& direction, const Polygon& polygon) {
   const double length = glm::length(direction);
   if (!(length > 0.0)) return;
@@ -42,8 +47,7 @@ void check_cut(const Polygon& polygon, const Vec3& through, const Vec3& directio
   if (!(length > 0.0)) return;
   const Plane plane{direction / length, glm::dot(direction / length, through)};
   const auto [front, behind] = split(polygon, plane, 1e-9 * extent);
-  const double sum = area_m2(front) + area_m2(behind);
-  require(std::abs(sum - area_m2(polygon)) <= 1e-4 * extent * extent);
+  require_same(area_vector(front) + area_vector(behind), area_vector(polygon), extent);
 }
 
 void check_cover(const Polygon& a, const Polygon& b, const SceneScale& scale) {
@@ -53,10 +57,11 @@ void check_cover(const Polygon& a, const Polygon& b, const SceneScale& scale) {
   const ConvexParts parts = convex_parts(flat, scale);
   if (parts.shape != Shape::convex) return;
   const double tolerance = 1e-9 * bounds(a).diagonal();
-  double left = area_m2(intersect_coplanar(a, parts.parts[0], tolerance));
-  for (const Polygon& part : subtract_coplanar(a, parts.parts[0], tolerance)) left += area_m2(part);
-  const double extent = bounds(a).diagonal() + bounds(flat).diagonal();
-  require(std::abs(left - area_m2(a)) <= 1e-4 * extent * extent);
+  Vec3 sum = area_vector(intersect_coplanar(a, parts.parts[0], tolerance));
+  for (const Polygon& part : subtract_coplanar(a, parts.parts[0], tolerance)) {
+    sum += area_vector(part);
+  }
+  require_same(sum, area_vector(a), bounds(a).diagonal());
 }
 
 }  // namespace
