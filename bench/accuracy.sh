@@ -13,5 +13,5 @@ known=$here/../tests/accuracy/data
   "$known/room_block.json=$known/room_block.dense.json" "$known/two_rooms_door.json=$known/two_rooms_door.dense.json" \
   "$here/data/cornell.json=$here/data/cornell.ref.json" "$here/../scenes/duplex.json=$known/duplex.ref.json"
 /usr/bin/python3 "$here/../notebooks/execute.py" "$here/../notebooks/accuracy.ipynb" \
-  --figures "$build/accuracy.json" --chart "$build/accuracy.png"
+  --csv "$build/accuracy.json" --chart "$build/accuracy.png"
 mv "$build/accuracy.json" "$build/accuracy.png" "$here/data/"

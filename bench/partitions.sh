@@ -25,6 +25,6 @@ for building in "$@"; do
 done
 "$build/bin/partition_study" "${runs[@]}" --no-seconds -o "$build/partitions.csv"
 /usr/bin/python3 "$here/../notebooks/execute.py" "$here/../notebooks/partitions.ipynb" \
-  --figures "$build/partitions.csv" --chart "$build/partitions.png"
+  --csv "$build/partitions.csv" --chart "$build/partitions.png"
 mkdir -p "$here/data"
 cp "$build/partitions.csv" "$build/partitions.png" "$here/data/"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""execute.py NOTEBOOK --figures FILE [--chart FILE.png]: runs a notebook on a file of figures without changing it, prints
+"""execute.py NOTEBOOK --csv FILE [--chart FILE.png]: runs a notebook on a CSV of figures without changing it, prints
 what its cells print, and keeps its chart. Fails where a cell fails, or where there is no chart."""
 import argparse
 import base64
@@ -15,10 +15,10 @@ from nbclient.exceptions import CellExecutionError
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("notebook", type=Path)
-    parser.add_argument("--figures", type=Path, required=True, help="what partition_study or accuracy_sweep wrote")
+    parser.add_argument("--csv", type=Path, required=True, help="the figures, which the notebook finds as $ENFILADE_CSV")
     parser.add_argument("--chart", type=Path, help="where the chart goes")
     arguments = parser.parse_args()
-    os.environ["ENFILADE_FIGURES"] = str(arguments.figures.resolve())
+    os.environ["ENFILADE_CSV"] = str(arguments.csv.resolve())
     notebook = nbformat.read(arguments.notebook, as_version=4)
     try:
         NotebookClient(notebook, timeout=120, kernel_name="python3",

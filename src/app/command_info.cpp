@@ -10,6 +10,7 @@
 #include "app/command.hpp"
 #include "app/prepared_figures.hpp"
 #include "app/solve_summary.hpp"
+#include "parallel/leak_file.hpp"
 #include "report/stats_json.hpp"
 #include "scene/scene_io.hpp"
 
@@ -82,6 +83,7 @@ void run_info(const std::string& input, Session& session) {
     const Prepared prepared = load_prepared(input);
     add_scene(table, prepared.scene);
     add_prepared_figures(table, prepared);
+    add_leaks(table, read_leaks(input));
     add_prepare_cost(table, prepared);
     if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
       const RunRecord stats = read_stats(file);

@@ -14,8 +14,10 @@
 #include "app/text_table.hpp"
 #include "assignment/assignment.hpp"
 #include "base/error.hpp"
+#include "parallel/leak_file.hpp"
 #include "parallel/prepare.hpp"
 #include "parallel/solve.hpp"
+#include "report/plan_leaks.hpp"
 #include "report/stats_json.hpp"
 #include "scene/scene_io.hpp"
 
@@ -137,10 +139,12 @@ void run_plan(const PlanOptions& options, Session& session) {
     throw wrong("--storey", fmt::format("there is no storey {}", options.storey),
                 count == 1 ? "there is one storey" : fmt::format("choose one of 1 to {}", count));
   }
+  const std::vector<Leak> leaks = read_leaks(options.run);
   TextTable table;
   for (int number = 1; number <= count; ++number) {
     if (options.storey != 0 && number != options.storey) continue;
-    const FloorPlan plan = floor_plan(building, all, number, subject, options.plan);
+    FloorPlan plan = floor_plan(building, all, number, subject, options.plan);
+    draw_leaks(plan, all, leaks);
     const bool one = options.storey != 0 || count == 1;
     const std::string path = one ? options.output : numbered_path(options.output, number);
     check_output_file(path);

@@ -7,7 +7,9 @@
 #include "app/prepared_figures.hpp"
 #include "app/run_outputs.hpp"
 #include "app/text_table.hpp"
+#include "parallel/leak_file.hpp"
 #include "parallel/prepare.hpp"
+#include "report/plan_leaks.hpp"
 #include "scene/scene_io.hpp"
 
 namespace enfilade {
@@ -32,7 +34,11 @@ void run_prepare(const PrepareOptions& options, Session& session) {
   if (options.pictures) {
     const Occluders occluders(prepared.clusters);
     const Building building{prepared.cells, prepared.clusters, occluders};
-    write_run_plans(options.run, floor_plans(building, cells_subject(building)));
+    const std::vector<Leak> leaks = read_leaks(options.run);
+    const std::vector<Storey> all = storeys(building);
+    std::vector<FloorPlan> plans = floor_plans(building, cells_subject(building));
+    for (FloorPlan& plan : plans) draw_leaks(plan, all, leaks);
+    write_run_plans(options.run, plans);
   }
   TextTable table(options.run);
   table.add("surfaces", with_thousands(prepared.scene.surfaces.size()));

@@ -61,6 +61,22 @@ void add_prepared_figures(TextTable& table, const Prepared& prepared) {
   table.add("tolerance", fmt::format("{:.3g} m", prepared.cells.tolerance_m()));
 }
 
+void add_leaks(TextTable& table, const std::vector<Leak>& leaks) {
+  for (const LeakKind kind : {LeakKind::gap, LeakKind::open_side, LeakKind::lost_room}) {
+    const auto first = std::ranges::find(leaks, kind, &Leak::kind);
+    if (first == leaks.end()) continue;
+    std::string way;
+    for (const Vec3& p : first->path) {
+      way += fmt::format("{}({:.2f}, {:.2f}, {:.2f})", way.empty() ? "" : " -> ", p.x, p.y, p.z);
+    }
+    table.add(fmt::format("leaks: {}", name_of(kind)),
+              fmt::format("{}; {} (all in leaks.json)",
+                          with_thousands(static_cast<std::uint64_t>(
+                              std::ranges::count(leaks, kind, &Leak::kind))),
+                          way));
+  }
+}
+
 void add_prepare_cost(TextTable& table, const Prepared& prepared) {
   std::string time = format_duration(prepared.prepare_s), memory;
   const char* separator = ": ";

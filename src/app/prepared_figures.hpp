@@ -2,12 +2,15 @@
 #pragma once
 
 #include "app/text_table.hpp"
+#include "cells/leaks.hpp"
 #include "parallel/prepare.hpp"
 
 namespace enfilade {
 
 /// Cells by kind, portals, clusters, G_cell, G_cluster.
 void add_prepared_figures(TextTable& table, const Prepared& prepared);
+/// How many leaks of each kind, and the way of the first.
+void add_leaks(TextTable& table, const std::vector<Leak>& leaks);
 /// Time and peak memory, step by step.
 void add_prepare_cost(TextTable& table, const Prepared& prepared);
 

@@ -167,6 +167,9 @@ void SolveOptions::check_replay() const {
     throw InputError("command line", "--replay", "does not go with --resume",
                      "leave one of them out");
   }
+  if (scheme != "spmd") {
+    throw InputError("command line", "--replay", "knows no scheme but spmd", "leave --scheme out");
+  }
   std::error_code missing;
   if (fs::equivalent(replay, output, missing)) {
     throw InputError("command line", "-o", "is the run that is replayed", "name another directory");

@@ -9,6 +9,7 @@
 #include "cells/floor_steps.hpp"
 #include "cells/interface.hpp"
 #include "cells/leaf_merge.hpp"
+#include "cells/leaks.hpp"
 #include "cells/plane_set.hpp"
 #include "cells/portal_build.hpp"
 #include "cells/stairwells.hpp"
@@ -180,9 +181,8 @@ std::vector<Cell> describe_cells(const std::vector<Region>& leaves, const LeafGr
   return cells;
 }
 
-}  // namespace
-
-CellComplex build_cells(std::span<const Piece> given, const CellComplex::Config& config) {
+CellComplex build(std::span<const Piece> given, const CellComplex::Config& config,
+                  std::vector<Leak>* leaks) {
   Box box;
   for (const Piece& piece : given) box.add(bounds(piece.polygon));
   if (given.empty() || box.diagonal() <= 0.0) return one_cell(box, 0.0);
@@ -219,6 +219,8 @@ CellComplex build_cells(std::span<const Piece> given, const CellComplex::Config&
   std::vector<Portal> portals =
       build_portals(interfaces, groups.group_of_leaf, planes.planes, tolerance_m);
 
+  std::vector<Leak> found;
+  if (leaks != nullptr) found = find_leaks(space, cutter, portals, touches, groups.lost);
   const CellComplex all(cells, portals, with_cells(tree, groups.group_of_leaf), tolerance_m);
   const std::vector<std::uint32_t> number = drop_useless(pieces, all, portals);
   std::vector<Cell> kept;
@@ -234,10 +236,28 @@ CellComplex build_cells(std::span<const Piece> given, const CellComplex::Config&
     portals[i].a = CellId(number[portals[i].a.index()]);
     portals[i].b = CellId(number[portals[i].b.index()]);
   }
+  for (Leak& leak : found) {
+    if (number[leak.cell.index()] == no_cell) continue;
+    leak.cell = CellId(number[leak.cell.index()]);
+    for (Vec3& p : leak.path) p = own.out(p);
+    leaks->push_back(std::move(leak));
+  }
   std::vector<std::uint32_t> cell_of_leaf;
   for (const std::uint32_t group : groups.group_of_leaf) cell_of_leaf.push_back(number[group]);
   return {std::move(kept), own.out(std::move(portals)), own.out(with_cells(tree, cell_of_leaf)),
           tolerance_m};
+}
+
+}  // namespace
+
+CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config) {
+  return build(pieces, config, nullptr);
+}
+
+CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config,
+                        std::vector<Leak>& leaks) {
+  leaks.clear();
+  return build(pieces, config, &leaks);
 }
 
 }  // namespace enfilade

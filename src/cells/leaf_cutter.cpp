@@ -170,8 +170,11 @@ void LeafCutter::split_interfaces(std::uint32_t leaf, std::uint32_t front,
       if (in_front.size() >= 3) before.openings.push_back(std::move(in_front));
       if (in_back.size() >= 3) behind.openings.push_back(std::move(in_back));
     }
-    before.open_m2 = total_area(before.openings);
-    behind.open_m2 = total_area(behind.openings);
+    const double framed_share = before.open_m2 > 0.0 ? before.framed_m2 / before.open_m2 : 0.0;
+    for (LeafInterface* half : {&before, &behind}) {
+      half->open_m2 = total_area(half->openings);
+      half->framed_m2 = framed_share * half->open_m2;
+    }
     (before.front_leaf == leaf ? before.front_leaf : before.back_leaf) = front;
     space_.interfaces[number] = std::move(behind);
     by_leaf_[leaf].push_back(number);

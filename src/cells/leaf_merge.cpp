@@ -36,6 +36,7 @@ class Merger {
   void run() {
     while (round(&Merger::room_candidates)) {
     }
+    typical_m3_ = typical_volume_m3(graph_);
     while (round(&Merger::outside_candidates)) {
     }
     // Thin groups between others go to the outside here and there; what that opens to it, follows.
@@ -52,6 +53,7 @@ class Merger {
 
   LeafGroups result() {
     LeafGroups out;
+    out.lost = lost_;
     const std::vector<char> is_room = find_rooms(graph_, config_.rooms);
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::uint32_t leaf = 1; leaf < graph_.size(); ++leaf) {
@@ -155,6 +157,11 @@ class Merger {
         if (s > 0.0) out.push_back({s, sides[i].group, sides[j].group, c});
       }
     }
+  }
+
+  bool is_like_a_room(const LeafGroup& g) const {
+    return typical_m3_ > 0.0 && g.volume >= config_.lost_room_share * typical_m3_ &&
+           g.front >= config_.lost_front_share * g.boundary();
   }
 
   void outside_candidates(std::vector<Candidate>& out) const {
@@ -261,6 +268,7 @@ class Merger {
       touched[c.a] = c.a != outside_group;
       touched[c.b] = 1;
       if (has_via) touched[c.via] = 1;
+      if (c.a == outside_group && is_like_a_room(graph_[c.b])) lost_.push_back(c.b - 1);
       graph_.join(c.a, c.b);
       if (has_via) graph_.join(graph_.find(c.a), c.via);
     }
@@ -269,6 +277,8 @@ class Merger {
 
   MergeConfig config_;
   LeafGraph graph_;
+  double typical_m3_ = 0.0;  ///< before anything becomes outside
+  std::vector<std::uint32_t> lost_;
 };
 
 }  // namespace

@@ -28,6 +28,9 @@ struct MergeConfig {
   double connector_depth = 0.5;
   /// What is open to the outside over this share of its whole boundary is outside.
   double outside_share = 0.3;
+  /// ... and a lost room where its walls' fronts make up this share of it, and it is no smaller
+  /// than this share of a typical room.
+  double lost_front_share = 0.5, lost_room_share = 0.25;
   /// A solid with more than this share of its boundary in one room is furniture.
   double enclosed_share = 0.55;
   /// The smallest groups, up to this share of all enclosed volume, are no cells of their own.
@@ -41,6 +44,9 @@ struct MergeConfig {
 struct LeafGroups {
   std::vector<std::uint32_t> group_of_leaf;  ///< numbered in the order of their first leaf
   std::vector<CellKind> kinds;               ///< by group
+  /// A leaf each of what became outside though it was the size of a room and closed for the most
+  /// part.
+  std::vector<std::uint32_t> lost;
 };
 
 /// `touches_outside[leaf]`: the leaf reaches the border of the enlarged bounding box.

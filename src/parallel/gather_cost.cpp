@@ -54,13 +54,13 @@ std::vector<std::string> files_of(const fs::path& directory) {
 /// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
 template <class Take>
 void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
-                    bool& coarse_correction, Take take) {
+                    LightOrder& light, Take take) {
   std::vector<bool> seen(clusters, false);
   for (const std::string& path : files_of(run_directory + "/costs/" + std::to_string(iteration))) {
     const std::vector<std::byte> bytes = read_file(path);
     ByteReader r(bytes, path);
     r.expect(mark);
-    coarse_correction = r.get<std::uint8_t>() != 0;
+    light = r.get<LightOrder>();
     for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
       const ClusterId cluster = take(r);
       if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");
@@ -84,14 +84,20 @@ ClusterWeight Recording::weight(ClusterId cluster, int iteration) const {
   return weight;
 }
 
-void CostRecorder::add_start(ClusterId cluster, const ClusterWeight& weight) {
-  start_.emplace_back(cluster, weight);
+void CostRecorder::add_start(const ClusterState& state) {
+  ClusterWeight weight;
+  weight.geometry = {state.patches().polygons(), state.bytes_of(Section::geometry).size(), 0, 0};
+  weight.patches = {state.patches().size(), state.bytes_of(Section::patches).size(),
+                    state.memory_bytes(), 0};
+  const std::vector<std::byte> links = state.bytes_of(Section::links);  // none yet
+  weight.links = {0, links.size(), 0, checksum(links)};
+  start_.emplace_back(state.id(), weight);
 }
 
 void CostRecorder::write(int iteration) {
   ByteWriter w;
   w.put_mark(mark);
-  w.put(static_cast<std::uint8_t>(coarse_correction_ ? 1 : 0));
+  w.put(light_);
   if (iteration == 0) {
     w.put(static_cast<std::uint64_t>(start_.size()));
     for (const auto& [cluster, weight] : start_) {
@@ -125,7 +131,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
   recording.history = history_of(manifest);
   recording.basis = manifest->basis;
   recording.start.resize(clusters);
-  read_iteration(run_directory, 0, clusters, recording.coarse_correction, [&](ByteReader& r) {
+  read_iteration(run_directory, 0, clusters, recording.light, [&](ByteReader& r) {
     const auto id = r.get<ClusterId>();
     const auto weight = r.get<ClusterWeight>();
     if (id.index() < clusters) recording.start[id.index()] = weight;
@@ -133,7 +139,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
   });
   for (int k = 1; k <= manifest->iteration; ++k) {
     auto& gathers = recording.gathers.emplace_back(clusters);
-    read_iteration(run_directory, k, clusters, recording.coarse_correction, [&](ByteReader& r) {
+    read_iteration(run_directory, k, clusters, recording.light, [&](ByteReader& r) {
       GatherCost cost = get_cost(r);
       const ClusterId id = cost.cluster;
       if (id.index() < clusters) gathers[id.index()] = std::move(cost);

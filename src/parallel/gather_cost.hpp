@@ -20,13 +20,19 @@ struct GatherCost {
   std::vector<std::uint32_t> coupled;  ///< groups in its row of the coarse system, ascending
 };
 
+/// Whose light a gather takes: what the recorded iterations are true for.
+struct LightOrder {
+  bool coarse_correction = true;
+  bool jacobi = false;
+};
+
 /// A run that can be replayed.
 struct Recording {
   std::vector<ClusterWeight> start;              ///< by cluster, before the first iteration
   std::vector<std::vector<GatherCost>> gathers;  ///< [iteration - 1][cluster]
   std::vector<IterationSummary> history;         ///< what the iterations came to
   std::size_t bands = 1;
-  bool coarse_correction = true;  ///< the run's scheme, which its iterations are true for
+  LightOrder light;
   Basis basis = Basis::linear;
 
   /// What a cluster's sections weigh once iteration `iteration` is over; 0 = at the start.
@@ -36,10 +42,11 @@ struct Recording {
 /// Takes down one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
-  CostRecorder(std::string run_directory, Rank rank, bool coarse_correction)
-      : directory_(run_directory + "/costs/"), rank_(rank), coarse_correction_(coarse_correction) {}
+  CostRecorder(std::string run_directory, Rank rank, LightOrder light)
+      : directory_(run_directory + "/costs/"), rank_(rank), light_(light) {}
 
-  void add_start(ClusterId cluster, const ClusterWeight& weight);
+  /// A cluster before the first iteration.
+  void add_start(const ClusterState& state);
   void add(GatherCost cost) { gathers_.push_back(std::move(cost)); }
   /// The iteration's gathers go to their file, all at once; 0 = the clusters at the start.
   void write(int iteration);
@@ -47,7 +54,7 @@ class CostRecorder {
  private:
   std::string directory_;
   Rank rank_;
-  bool coarse_correction_;
+  LightOrder light_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
   std::vector<GatherCost> gathers_;
 };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "parallel/leak_file.hpp"
 #include "parallel/peak_memory.hpp"
 #include "parallel/run_mark.hpp"
 #include "scene/scene_io.hpp"
@@ -28,8 +29,8 @@ std::string options_of(const PrepareConfig& config) {
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
-  const auto& [first_rays, rays, max_pair_parts, max_planes, most_open, max_pieces, pair_seed] =
-      occlusion;
+  const auto& [first_rays, rays, max_pair_parts, group_rays, group_parts, window_rays, window_parts,
+               max_planes, most_open, max_pieces, pair_seed] = occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -48,6 +49,10 @@ std::string options_of(const PrepareConfig& config) {
                                        {"occlusion_first_rays", first_rays},
                                        {"occlusion_rays", rays},
                                        {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_group_rays", group_rays},
+                                       {"occlusion_group_parts", group_parts},
+                                       {"occlusion_window_rays", window_rays},
+                                       {"occlusion_window_parts", window_parts},
                                        {"occlusion_max_planes", max_planes},
                                        {"occlusion_most_open", most_open},
                                        {"occlusion_max_pieces", max_pieces},
@@ -116,7 +121,9 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   p.covered_area_m2 = report.covered_area_m2;
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);
-  p.cells = build_cells(pieces, config.cells);
+  std::vector<Leak> leaks;
+  p.cells = build_cells(pieces, config.cells, leaks);
+  warn_of_leaks(leaks, warnings);
   std::vector<CellPiece> cell_pieces;
   for (const Piece& piece : pieces) {
     const std::vector<CellPiece> parts = p.cells.cut(piece);
@@ -140,6 +147,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   keep_scene(p.scene, run_directory + "/scene.json");
   replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));
+  write_leaks(run_directory, leaks);
   write_graph(p.graph, run_directory + "/graph.txt");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   p.warnings = warnings;

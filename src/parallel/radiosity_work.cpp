@@ -10,17 +10,6 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
   return most == group_of_cluster.end() ? 0 : *most + 1;
 }
 
-/// Before the first iteration, when there are no links.
-ClusterWeight weight_of(const ClusterState& state) {
-  ClusterWeight weight;
-  weight.geometry = {state.patches().polygons(), state.bytes_of(Section::geometry).size(), 0, 0};
-  weight.patches = {state.patches().size(), state.bytes_of(Section::patches).size(),
-                    state.memory_bytes(), 0};
-  const std::vector<std::byte> links = state.bytes_of(Section::links);
-  weight.links = {0, links.size(), 0, checksum(links)};
-  return weight;
-}
-
 /// The groups in a row of the coarse system, each once.
 std::vector<std::uint32_t> coupled_groups(const CoarseRow& row,
                                           std::span<const std::uint32_t> group_of_cluster) {
@@ -35,27 +24,22 @@ std::vector<std::uint32_t> coupled_groups(const CoarseRow& row,
 
 }  // namespace
 
-RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank,
-                             ClusterFiles& files, Machine& machine,
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
+                             Machine& machine, CostRecorder& recorder,
                              const RadiosityWorkConfig& config)
     : prepared_(prepared),
       layout_(layout),
       files_(files),
       machine_(machine),
+      recorder_(recorder),
       config_(config),
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
       group_of_cluster_(coarse_groups(prepared.clusters)),
       groups_(count_groups(group_of_cluster_)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
-      coarse_(groups_, bands_),
-      recorder_(layout.run, rank, config.same_on_any_ranks) {
+      coarse_(groups_, bands_) {
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
-}
-
-void RadiosityWork::add_start(ClusterState state, bool keep) {
-  recorder_.add_start(state.id(), weight_of(state));
-  if (keep) resident_.adopt(std::move(state));
 }
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {

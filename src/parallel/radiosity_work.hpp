@@ -31,14 +31,11 @@ struct RadiosityWorkConfig {
 class RadiosityWork final : public ClusterWork {
  public:
   /// All but `config` must outlive it.
-  RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank, ClusterFiles& files,
-                Machine& machine, const RadiosityWorkConfig& config);
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
+                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
 
-  /// A cluster as it is before the first iteration, whose files are there: what it weighs is
-  /// recorded, and where `keep`, it is taken in.
-  void add_start(ClusterState state, bool keep);
-  /// No more clusters come from this rank.
-  void finish_start() { recorder_.write(0); }
+  /// Takes in a cluster as it is before the first iteration; its files must be there.
+  void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
   void set_next_use(ResidentClusters::NextUse next_use) {
     resident_.set_next_use(std::move(next_use));
   }
@@ -55,6 +52,7 @@ class RadiosityWork final : public ClusterWork {
               bool finished) override;
 
   ResidencyCount residency_count() const { return resident_.count(); }
+  const Occluders& occluders() const { return occluders_; }
 
  private:
   ResidualConfig sampling(const IterationPlan& plan) const;
@@ -65,6 +63,7 @@ class RadiosityWork final : public ClusterWork {
   const RunLayout& layout_;
   ClusterFiles& files_;
   Machine& machine_;
+  CostRecorder& recorder_;
   RadiosityWorkConfig config_;
   ResidentClusters resident_;
   Occluders occluders_;
@@ -73,7 +72,6 @@ class RadiosityWork final : public ClusterWork {
   std::size_t groups_ = 0, bands_ = 1;
   double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;
-  CostRecorder recorder_;
 };
 
 }  // namespace enfilade

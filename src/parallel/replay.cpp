@@ -56,7 +56,8 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   TaskList tasks(own, costs->at(memory),
                  make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared)));
-  ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory);
+  ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory,
+                  config.memory_manager);
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   work.initialise(own);
   const auto plan_of = [&recording](std::size_t iteration) {  // counted from 0
@@ -65,21 +66,18 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
     plan.finished = plan.converged = true;
     return plan;
   };
-  return run_ranks(
-      {.loop =
-           [&](std::vector<IterationSummary>& history) {
-             return run_spmd(
-                 work, tasks, communicator, machine, {config.steal, recording.coarse_correction},
-                 plan_of(0), {}, history,
-                 [&](std::vector<IterationSummary>& so_far) { return plan_of(so_far.size()); },
-                 observer);
-           },
-       .counts = [&] { return std::pair(work.store_count(), work.residency_count()); },
-       .prepared = prepared,
-       .basis = recording.basis,
-       .emitted = emitted_power(prepared.scene, prepared.clusters),
-       .history = {}},
-      communicator, machine);
+  const IterationRun iterate = [&](std::vector<IterationSummary>& history) {
+    return run_spmd(
+        work, tasks, communicator, machine, {config.steal, recording.light.coarse_correction},
+        plan_of(0), {}, history,
+        [&](std::vector<IterationSummary>& so_far) { return plan_of(so_far.size()); }, observer);
+  };
+  return run_ranks({prepared,
+                    recording.basis,
+                    emitted_power(prepared.scene, prepared.clusters),
+                    {},
+                    [&] { return std::pair(work.store_count(), work.residency_count()); }},
+                   communicator, machine, iterate);
 }
 
 }  // namespace enfilade

@@ -51,12 +51,13 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
 }  // namespace
 
 ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout,
-                       Rank rank, Machine& machine, std::uint64_t memory_bytes)
+                       Rank rank, Machine& machine, std::uint64_t memory_bytes,
+                       MemoryManager manager)
     : shared_(std::move(shared)),
       machine_(machine),
       store_(layout, rank, shared_->prepared.clusters.size(), machine,
              std::make_unique<RecordShelf>(shared_->recording)),
-      resident_(store_, machine, memory_bytes),
+      resident_(store_, machine, memory_bytes, manager),
       groups_(count_groups(shared_->group_of_cluster)),
       itself_(groups_),
       coarse_(groups_, shared_->recording.bands) {
@@ -72,11 +73,12 @@ void ReplayWork::initialise(std::span<const ClusterId> own) {
 void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
   store_.set_committed(plan.iteration - 1);
-  if (shared_->recording.coarse_correction)
+  if (shared_->recording.light.coarse_correction)
     coarse_ = CoarseSystem(groups_, shared_->recording.bands);
   resident_.set_correction({});
-  resident_.set_committed_only(shared_->recording.coarse_correction &&
-                               (plan.refine || plan.sample));
+  const LightOrder& light = shared_->recording.light;
+  resident_.set_committed_only(light.jacobi ||
+                               (light.coarse_correction && (plan.refine || plan.sample)));
 }
 
 IterationSums ReplayWork::gather(ClusterId receiver) {
@@ -92,7 +94,7 @@ IterationSums ReplayWork::gather(ClusterId receiver) {
   }
   machine_.compute(cost.sums.work);
   state.become(cost.patches, cost.links);
-  if (shared_->recording.coarse_correction) {
+  if (shared_->recording.light.coarse_correction) {
     CoarseRow row;
     row.before = row.after = std::vector<double>(shared_->recording.bands, 0.0);
     for (const std::uint32_t group : cost.coupled) {

@@ -25,7 +25,7 @@ struct ReplayShared {
 class ReplayWork final : public ClusterWork {
  public:
   ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout, Rank rank,
-             Machine& machine, std::uint64_t memory_bytes);
+             Machine& machine, std::uint64_t memory_bytes, MemoryManager manager);
 
   /// As RadiosityWork::initialise().
   void initialise(std::span<const ClusterId> own);

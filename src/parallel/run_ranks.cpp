@@ -59,12 +59,13 @@ std::vector<double> emitted_powers(const Prepared& prepared) {
   return powers;
 }
 
-RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine) {
+RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
+                    const IterationRun& iterate) {
   communicator.barrier();
   const double start_s = machine.now_s();
   const TimeUse before = machine.time_use();
   const MessageCount sent_before = communicator.sent();
-  const IterationPlan last = run.loop(run.history);
+  const IterationPlan last = iterate(run.history);
   const TimeUse after = machine.time_use();
   const auto [store, residency] = run.counts();
   const RankStatistics mine{

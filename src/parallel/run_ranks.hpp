@@ -42,17 +42,17 @@ std::vector<double> emitted_powers(const Prepared& prepared);
 
 /// The run that is about to start.
 struct RankRun {
-  /// This rank's part of all iterations; adds to the history on rank 0. Returns the plan that ended
-  /// the run.
-  std::function<IterationPlan(std::vector<IterationSummary>& history)> loop;
-  std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
   const Prepared& prepared;
   Basis basis = Basis::linear;
-  Spectrum emitted;  ///< power, per band
-  std::vector<IterationSummary> history;
+  Spectrum emitted;                                               ///< power, per band
+  std::vector<IterationSummary> history;                          ///< what came before, on rank 0
+  std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
 };
+/// All iterations; appends to the history, on rank 0. Returns the plan that ended them.
+using IterationRun = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 
 /// All ranks call it. The record of RUN/stats.json, on rank 0; elsewhere empty.
-RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine);
+RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
+                    const IterationRun& iterate);
 
 }  // namespace enfilade

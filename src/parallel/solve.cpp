@@ -12,6 +12,7 @@
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_ranks.hpp"
 #include "parallel/spmd.hpp"
+#include "radiosity/dark_polygons.hpp"
 #include "store/posix_file.hpp"
 
 namespace enfilade {
@@ -37,19 +38,27 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
 /// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
 /// keeps them in memory where it is going to gather for them.
 void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
-                Communicator& communicator, RadiosityWork& work, std::span<const ClusterId> own,
-                bool keep) {
+                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
+                std::span<const ClusterId> own, Machine& machine, bool keep) {
   communicator.on_root([&] {
     make_directory(store.layout().common());
     remove_manifest(store.layout());
     drop_costs(store.layout().run, -1);
   });
+  WorkCount count;
+  const std::vector<char> dark =
+      dark_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
+  machine.compute(count);
   for (const ClusterId id : own) {
     ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
+      if (dark[work.occluders().global(id, k)] != 0) state.patches().seal(k);
+    }
     store.write_initial(state);
-    work.add_start(std::move(state), keep);
+    recorder.add_start(state);
+    if (keep) work.adopt(std::move(state));
   }
-  work.finish_start();
+  recorder.write(0);
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
@@ -123,14 +132,16 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
-  RadiosityWork work(prepared, layout, communicator.rank(),
-                     slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
+  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+                     recorder,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
                       config.jacobi, config.memory_manager, config.oracle, config.visibility});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
-    start_anew(prepared, basis, store, communicator, work, own, !has_master(config, communicator));
+    start_anew(prepared, basis, store, communicator, work, recorder, own, machine,
+               !has_master(config, communicator));
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
@@ -141,23 +152,19 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
-  const auto judge_and_plan = [&](std::vector<IterationSummary>& so_far) {
-    so_far.back().error = estimate_error(so_far, emitted);
-    return next_plan(so_far, plan_config);
+  const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
+    return iterate(
+        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
+        manifest ? manifest->correction : std::vector<double>{}, so_far,
+        [&](std::vector<IterationSummary>& done) {
+          done.back().error = estimate_error(done, emitted);
+          return next_plan(done, plan_config);
+        },
+        observer);
   };
-  RunRecord record = run_ranks(
-      {.loop =
-           [&](std::vector<IterationSummary>& so_far) {
-             return iterate({config, prepared, communicator, machine, cost, store, remote, work},
-                            own, plan, manifest ? manifest->correction : std::vector<double>{},
-                            so_far, judge_and_plan, observer);
-           },
-       .counts = [&] { return std::pair(store.count(), work.residency_count()); },
-       .prepared = prepared,
-       .basis = basis,
-       .emitted = emitted,
-       .history = std::move(history)},
-      communicator, machine);
+  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+                                [&] { return std::pair(store.count(), work.residency_count()); }},
+                               communicator, machine, iterate_all);
   if (communicator.root()) {
     record.set("oracle", config.oracle == OracleKind::error ? "error" : "bf");
     record.set("visibility", config.visibility == VisibilityMethod::exact ? "exact" : "rays");

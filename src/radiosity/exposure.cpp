@@ -33,13 +33,4 @@ double exposure(const ClusterState& cluster, const PatchNode& node, int rings,
   return ended / (4.0 * rings * rings);
 }
 
-void seal_polygons(ClusterState& cluster, const std::function<bool(ClusterId)>& visible,
-                   const Occluders& occluders, WorkCount& work) {
-  PatchForest& patches = cluster.patches();
-  const auto ends = [&](const PolygonRef& polygon) { return visible(polygon.cluster); };
-  for (std::size_t k = 0; k < patches.polygons(); ++k) {
-    if (exposure(cluster, patches.node(k), 4, occluders, ends, work) == 0.0) patches.seal(k);
-  }
-}
-
 }  // namespace enfilade

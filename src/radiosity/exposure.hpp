@@ -17,9 +17,4 @@ using EndsRay = std::function<bool(const PolygonRef&)>;
 double exposure(const ClusterState& cluster, const PatchNode& node, int rings,
                 const Occluders& occluders, const EndsRay& ends, WorkCount& work);
 
-/// Seals the polygons none of whose 64 rays ends on a front side of a cluster that `visible` names:
-/// those inside of walls, of which no light need be sought.
-void seal_polygons(ClusterState& cluster, const std::function<bool(ClusterId)>& visible,
-                   const Occluders& occluders, WorkCount& work);
-
 }  // namespace enfilade

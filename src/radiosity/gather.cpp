@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "radiosity/coarse_coupling.hpp"
-#include "radiosity/exposure.hpp"
 #include "radiosity/row_closing.hpp"
 
 namespace enfilade {
@@ -253,21 +252,12 @@ void Gatherer::push_pull() {
 GatherResult gather(ClusterState& receiver, std::span<const ClusterId> visible,
                     const ShooterSource& shooter, std::span<const PointLight> lights,
                     const Occluders& occluders, const GatherConfig& config) {
-  WorkCount sealing;
-  if (receiver.iteration() == 0) {
-    const auto is_visible = [&](ClusterId id) {
-      return std::binary_search(visible.begin(), visible.end(), id);
-    };
-    seal_polygons(receiver, is_visible, occluders, sealing);
-  }
   Gatherer gatherer(receiver, lights, occluders, config);
   gatherer.from_lights();
   for (const ClusterId id : visible) {
     gatherer.from(id == receiver.id() ? receiver : shooter(id));
   }
-  GatherResult result = gatherer.finish();
-  result.work += sealing;
-  return result;
+  return gatherer.finish();
 }
 
 Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters) {

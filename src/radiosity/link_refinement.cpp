@@ -59,9 +59,8 @@ void LinkRefinement::evaluate(Link link, const PatchForest* shooting, LinkSet& k
   }
   if (!receiver.is_group() && receiver.same_node(shooter)) return;  // a plane does not see itself
   if (LinkEstimator::faces_away(receiver, shooter)) return;
-  double bound = LinkEstimator::power_bound(receiver, shooter);
-  // None of 64 rays found a front side: no more than about 1 in 64 of the hemisphere can be one.
-  if (receiver.is_patch() && receiver_.patches().sealed(receiver.id.root)) bound /= 64.0;
+  if (receiver.is_patch() && receiver_.patches().sealed(receiver.id.root)) return;
+  const double bound = LinkEstimator::power_bound(receiver, shooter);
   const bool shooter_is_larger = shooter.radius > receiver.radius;
 
   // A group receives as one only where that can matter little; it shoots as one where it is not

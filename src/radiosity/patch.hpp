@@ -118,7 +118,8 @@ class PatchForest {
   /// Forgets the exposures where they were measured with another number of lit polygons in view,
   /// give or take one in 256.
   void expose_to(std::uint32_t lit_polygons);
-  /// No ray from the polygon ended on a front side, as inside a wall.
+  /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
+  /// none.
   bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
   void seal(std::size_t polygon) { sealed_[polygon] = 1; }
 

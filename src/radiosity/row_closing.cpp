@@ -69,6 +69,7 @@ std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluder
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
+    if (patches.sealed(node.id.root)) patches.set_exposure(n, 0.0f);
     if (patches.exposure(n) < 0.0f) {
       patches.set_exposure(
           n, static_cast<float>(exposure(receiver_, node, rings, occluders, lit, work)));

@@ -25,6 +25,7 @@ namespace plan_ink {
 inline constexpr Rgb8 black{20, 20, 20}, soft{110, 110, 110}, faint{190, 190, 190};
 inline constexpr Rgb8 outside{232, 240, 247}, solid{178, 174, 168}, unseen{236, 235, 232};
 inline constexpr Rgb8 doorway{214, 48, 31}, to_outside{30, 90, 214}, into_solid{128, 96, 150};
+inline constexpr Rgb8 leak{200, 0, 160};
 inline constexpr Rgb8 chosen{255, 179, 0}, seen{255, 232, 163};
 }  // namespace plan_ink
 

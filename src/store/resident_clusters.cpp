@@ -249,7 +249,7 @@ WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
   Entry& entry = entries_.at(id);
   shrink(*entry.state);
   const State& state = *entry.state;
-  RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
+  const RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
   WrittenReceiver written;
   written.patches = {shooter.patches, 0, shooter.bytes, 0};
   written.links = {links_count.links, 0, links_count.bytes, 0};

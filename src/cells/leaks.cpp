@@ -1,0 +1,225 @@
+#include "cells/leaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <queue>
+#include <tuple>
+
+namespace enfilade {
+namespace {
+
+Vec3 middle_of(const Region& region) {
+  Vec3 sum(0.0);
+  double count = 0.0;
+  for (const Facet& facet : region.facets) {
+    for (const Vec3& p : facet.polygon) {
+      sum += p;
+      count += 1.0;
+    }
+  }
+  return sum / std::max(count, 1.0);
+}
+
+/// Between the nearest two parallel lines that hold the polygon.
+double width_of(const Polygon& polygon) {
+  const Vec3 n = normal(polygon);
+  double least = 1e300;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const double length = glm::length(edge);
+    if (length <= 0.0) continue;
+    const Vec3 across = glm::cross(n, edge / length);
+    double most = 0.0;
+    for (const Vec3& p : polygon) most = std::max(most, std::abs(glm::dot(across, p - polygon[i])));
+    least = std::min(least, most);
+  }
+  return least;
+}
+
+class LeakFinder {
+ public:
+  LeakFinder(const CutSpace& space, const LeafCutter& cutter, std::span<const Portal> portals,
+             std::span<const char> touches, const LeakConfig& config)
+      : space_(space), cutter_(cutter), portals_(portals), touches_(touches), config_(config) {
+    for (const LeafInterface& face : space.interfaces) {
+      const std::uint32_t a = space.groups.group_of_leaf[face.front_leaf];
+      const std::uint32_t b = space.groups.group_of_leaf[face.back_leaf];
+      auto& [open, framed] = framing_[{a, b, face.plane}];
+      open += face.open_m2;
+      framed += face.framed_m2;
+    }
+  }
+
+  std::vector<Leak> run(std::span<const std::uint32_t> lost) {
+    std::map<std::pair<std::uint32_t, LeakKind>, const Portal*> worst;
+    for (const auto& [room, portals] : to_outside()) {
+      for (const Portal* portal : portals) {
+        const auto leak = kind_of(*portal, room);
+        if (!leak || (*leak == LeakKind::gap && is_beside_window(*portal, room, portals))) continue;
+        const Portal*& now = worst[{room, *leak}];
+        if (now == nullptr || area_m2(portal->polygon) > area_m2(now->polygon)) now = portal;
+      }
+    }
+    std::vector<Leak> found;
+    for (const auto& [key, portal] : worst) {
+      const CellId room(key.first);
+      found.push_back({key.second, room, area_m2(portal->polygon), width_of(portal->polygon),
+                       path_through(*portal, room)});
+    }
+    for (const std::uint32_t leaf : lost) {
+      std::vector<Vec3> path{middle_of(space_.tree.leaves[leaf])};
+      walk_out(leaf, path);
+      found.push_back({LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0,
+                       std::move(path)});
+    }
+    return found;
+  }
+
+ private:
+  std::map<std::uint32_t, std::vector<const Portal*>> to_outside() const {
+    std::map<std::uint32_t, std::vector<const Portal*>> by_room;
+    for (const Portal& portal : portals_) {
+      const CellKind a = kind(portal.a), b = kind(portal.b);
+      if ((a == CellKind::outside) == (b == CellKind::outside)) continue;
+      const CellId room = a == CellKind::outside ? portal.b : portal.a;
+      if (kind(room) == CellKind::room) by_room[room.value].push_back(&portal);
+    }
+    return by_room;
+  }
+
+  /// The chinks of a window's frame are no news.
+  bool is_beside_window(const Portal& gap, std::uint32_t room,
+                        const std::vector<const Portal*>& others) const {
+    const Box box = bounds(gap.polygon);
+    const double near_m = 0.05 * std::cbrt(volume(room));
+    return std::ranges::any_of(others, [&](const Portal* other) {
+      return width_of(other->polygon) > 2.0 * width_of(gap.polygon) &&
+             bounds(other->polygon).overlaps(box, near_m) && kind_of(*other, room) != LeakKind::gap;
+    });
+  }
+
+  CellKind kind(CellId cell) const { return space_.groups.kinds[cell.index()]; }
+
+  std::optional<LeakKind> kind_of(const Portal& portal, std::uint32_t room) const {
+    const double size_m = std::cbrt(volume(room)), area = area_m2(portal.polygon);
+    const double width_m = width_of(portal.polygon);
+    if (width_m <= 2.0 * space_.tolerance_m) return std::nullopt;  // as planes are told apart
+    if (width_m < config_.gap_share * size_m) return LeakKind::gap;
+    if (area < config_.side_share * size_m * size_m) return std::nullopt;
+    const Plane plane = plane_of(portal.polygon);
+    double open = 0.0, framed = 0.0;
+    for (const auto& [key, areas] : framing_) {
+      const auto& [a, b, number] = key;
+      if (a != portal.a.value || b != portal.b.value) continue;
+      const Plane& other = space_.planes.planes[number];
+      if (std::abs(glm::dot(other.n, plane.n)) < 1.0 - 1e-9) continue;
+      if (std::abs(other.signed_distance(portal.polygon[0])) > space_.tolerance_m) continue;
+      open += areas.first;
+      framed += areas.second;
+    }
+    if (framed < config_.framed_share * open) return LeakKind::open_side;
+    return std::nullopt;
+  }
+
+  double volume(std::uint32_t group) const {
+    auto [at, is_new] = volumes_.try_emplace(group, 0.0);
+    if (is_new) {
+      for (const std::uint32_t leaf : cutter_.leaves_of(group)) {
+        at->second += volume_m3(space_.tree.leaves[leaf]);
+      }
+    }
+    return at->second;
+  }
+
+  std::vector<Vec3> path_through(const Portal& portal, CellId room) const {
+    const Vec3 gap = centroid(portal.polygon), n = normal(portal.polygon);
+    const double near_m = 4.0 * space_.tolerance_m * (portal.a == room ? 1.0 : -1.0);
+    const std::uint32_t inner = cutter_.leaf_at(gap + near_m * n);
+    std::uint32_t largest = inner;
+    double most = 0.0;
+    for (const std::uint32_t leaf : cutter_.leaves_of(room.value)) {
+      const double v = volume_m3(space_.tree.leaves[leaf]);
+      if (v <= most) continue;
+      most = v;
+      largest = leaf;
+    }
+    std::vector<Vec3> path;
+    walk(
+        inner, [&](std::uint32_t leaf) { return leaf == largest; }, path);
+    if (path.empty()) path.push_back(middle_of(space_.tree.leaves[inner]));
+    std::reverse(path.begin(), path.end());
+    path.push_back(gap);
+    walk_out(cutter_.leaf_at(gap - near_m * n), path);
+    return path;
+  }
+
+  void walk_out(std::uint32_t from, std::vector<Vec3>& path) const {
+    walk(
+        from, [&](std::uint32_t leaf) { return touches_[leaf] != 0; }, path);
+  }
+
+  /// Adds the openings and then the middle of the last leaf on the shortest way (in leaves) within
+  /// the group.
+  template <class IsGoal>
+  void walk(std::uint32_t from, IsGoal is_goal, std::vector<Vec3>& path) const {
+    const std::uint32_t group = space_.groups.group_of_leaf[from];
+    std::map<std::uint32_t, std::pair<std::uint32_t, Vec3>> came;  // leaf: from where, through what
+    std::queue<std::uint32_t> queue;
+    queue.push(from);
+    came[from] = {from, Vec3(0.0)};
+    for (; !queue.empty(); queue.pop()) {
+      const std::uint32_t leaf = queue.front();
+      if (is_goal(leaf)) {
+        std::vector<Vec3> back{middle_of(space_.tree.leaves[leaf])};
+        for (std::uint32_t at = leaf; at != from; at = came[at].first) {
+          back.push_back(came[at].second);
+        }
+        path.insert(path.end(), back.rbegin(), back.rend());
+        return;
+      }
+      for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
+        const LeafInterface& face = space_.interfaces[i];
+        const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+        if (face.openings.empty() || space_.groups.group_of_leaf[other] != group) continue;
+        const auto widest = std::max_element(
+            face.openings.begin(), face.openings.end(),
+            [](const Polygon& a, const Polygon& b) { return area_m2(a) < area_m2(b); });
+        if (came.try_emplace(other, leaf, centroid(*widest)).second) queue.push(other);
+      }
+    }
+  }
+
+  const CutSpace& space_;
+  const LeafCutter& cutter_;
+  std::span<const Portal> portals_;
+  std::span<const char> touches_;
+  LeakConfig config_;
+  /// Open and framed area, m2, by group in front, group behind and plane.
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::pair<double, double>>
+      framing_;
+  mutable std::map<std::uint32_t, double> volumes_;
+};
+
+}  // namespace
+
+const char* name_of(LeakKind kind) {
+  switch (kind) {
+    case LeakKind::gap:
+      return "gap";
+    case LeakKind::open_side:
+      return "open side";
+    case LeakKind::lost_room:
+      break;
+  }
+  return "lost room";
+}
+
+std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,
+                             std::span<const Portal> portals, std::span<const char> touches,
+                             std::span<const std::uint32_t> lost, const LeakConfig& config) {
+  return LeakFinder(space, cutter, portals, touches, config).run(lost);
+}
+
+}  // namespace enfilade

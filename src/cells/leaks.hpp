@@ -1,0 +1,46 @@
+// Where a building is not closed: gaps, open sides, and rooms that became part of the outside.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cells/cell_complex.hpp"
+#include "cells/leaf_cutter.hpp"
+
+namespace enfilade {
+
+enum class LeakKind {
+  gap,        ///< a slit to the outside that no window leaves
+  open_side,  ///< an opening to the outside that no wall frames: a wall is missing
+  lost_room   ///< enclosed for the most part, but so open that it is taken as outside
+};
+/// "gap", "open side", "lost room".
+const char* name_of(LeakKind kind);
+
+struct Leak {
+  LeakKind kind = LeakKind::gap;
+  CellId cell;             ///< that leaks; the outside's for a lost room
+  double area_m2 = 0.0;    ///< of the opening (0 for a lost room)
+  double width_m = 0.0;    ///< its smallest width (likewise)
+  std::vector<Vec3> path;  ///< from inside through the opening to the open
+};
+
+struct LeakConfig {
+  /// A slit is narrower than this share of the cube root of its room's volume.
+  double gap_share = 0.02;
+  /// An open side is larger than this share of V^(2/3), and its rim is framed over less than this.
+  double side_share = 0.1, framed_share = 0.3;
+};
+
+/// build_cells, and the leaks of its cells: the worst of a kind for each, in the order of their
+/// numbers.
+CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config,
+                        std::vector<Leak>& leaks);
+
+/// The leaks of cut groups, whose numbers stand for cells. `portals` are theirs, `touches` tells
+/// the leaves at the border of the scene's box, `lost` are leaves of rooms that became outside.
+std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,
+                             std::span<const Portal> portals, std::span<const char> touches,
+                             std::span<const std::uint32_t> lost, const LeakConfig& config = {});
+
+}  // namespace enfilade

@@ -1,0 +1,107 @@
+#include "cells/leaks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plan_scenes.hpp"
+
+namespace enfilade {
+namespace {
+
+struct Found {
+  CellComplex complex;
+  std::vector<Leak> leaks;
+};
+
+Found find(const plan::Plan& plan) {
+  Found found;
+  found.complex = build_cells(plan.pieces(), CellComplex::Config{}, found.leaks);
+  return found;
+}
+
+/// The way starts in a cell and ends in the open, and no part of it crosses one of the polygons.
+void expect_open_way(const Found& found, const plan::Plan& plan, CellId cell, const Leak& leak) {
+  EXPECT_EQ(leak.cell, cell);
+  ASSERT_GE(leak.path.size(), 3u);
+  EXPECT_EQ(found.complex.locate(leak.path.front()), cell);
+  const CellId last = found.complex.locate(leak.path.back());
+  ASSERT_TRUE(last.valid());
+  EXPECT_EQ(found.complex.cells()[last.index()].kind, CellKind::outside);
+  for (std::size_t i = 0; i + 1 < leak.path.size(); ++i) {
+    const Vec3 a = leak.path[i], b = leak.path[i + 1];
+    for (const Polygon& polygon : plan.polygons) {
+      const Plane plane = plane_of(polygon);
+      const double from = plane.signed_distance(a), to = plane.signed_distance(b);
+      if (from * to >= 0.0) continue;
+      const Vec3 hit = a + from / (from - to) * (b - a);
+      bool inside = true;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+        inside &= glm::dot(glm::cross(edge, hit - polygon[k]), plane.n) > 1e-6;
+      }
+      EXPECT_FALSE(inside) << "part " << i << " of the way goes through a wall";
+    }
+  }
+}
+
+/// two_rooms without the wall x = 0 of the left one, of which `left_m` remains at the bottom.
+plan::Plan without_a_wall(double remains_m) {
+  plan::Plan plan = plan::two_rooms();
+  plan.polygons.erase(plan.polygons.begin() + 1);
+  plan.rectangle({0, 0, 0}, {0, 4, 0}, {0, 0, remains_m});
+  return plan;
+}
+
+TEST(Leaks, AClosedBuildingAndAWindowHaveNone) {
+  EXPECT_TRUE(find(plan::two_rooms()).leaks.empty());
+  plan::Plan window = without_a_wall(1.0);
+  window.rectangle({0, 0, 2}, {0, 4, 0}, {0, 0, 0.5});
+  window.rectangle({0, 0, 1}, {0, 1, 0}, {0, 0, 1});
+  window.rectangle({0, 3, 1}, {0, 1, 0}, {0, 0, 1});
+  EXPECT_TRUE(find(window).leaks.empty());
+}
+
+TEST(Leaks, AMissingWallIsToldWithAWayOut) {
+  plan::Plan plan = without_a_wall(0.4);
+  const auto move = plan::turn_and_move(100.0);
+  plan.transform(move);
+  const Found found = find(plan);
+  ASSERT_EQ(found.leaks.size(), 1u);
+  EXPECT_EQ(found.leaks[0].kind, LeakKind::open_side);
+  EXPECT_NEAR(found.leaks[0].area_m2, 4.0 * 2.1, 1e-6);
+  expect_open_way(found, plan, found.complex.locate(move({2, 2, 1})), found.leaks[0]);
+  EXPECT_NE(found.complex.locate(move({8, 2, 1})), found.complex.locate(move({2, 2, 1})));
+}
+
+TEST(Leaks, AGapOfMillimetresIsToldAndBreaksNoRoom) {
+  const plan::Plan plan = without_a_wall(2.495);
+  const Found found = find(plan);
+  ASSERT_EQ(found.leaks.size(), 1u);
+  EXPECT_EQ(found.leaks[0].kind, LeakKind::gap);
+  EXPECT_NEAR(found.leaks[0].width_m, 0.005, 1e-6);
+  expect_open_way(found, plan, found.complex.locate({2, 2, 1}), found.leaks[0]);
+  EXPECT_EQ(found.complex.cells().size(), 3u);
+  // What shines through it is still seen: the gap is a portal.
+  EXPECT_EQ(found.complex.portals().size(), 2u);
+}
+
+TEST(Leaks, ARoomThatIsTooOpenIsLostToTheOutside) {
+  // The left room keeps its floor and ceiling, the wall with the door, and one other.
+  plan::Plan plan = plan::two_rooms();
+  plan.polygons.erase(plan.polygons.begin() + 1);  // x = 0
+  std::erase_if(plan.polygons, [](const Polygon& p) {
+    const Box box = bounds(p);
+    return box.hi.y == 0.0;
+  });
+  plan.rectangle({4, 0, 0}, {0, 0, 2.5}, {6, 0, 0});
+  const Found found = find(plan);
+  ASSERT_FALSE(found.leaks.empty());
+  EXPECT_TRUE(std::ranges::any_of(found.leaks, [](const Leak& leak) {
+    return leak.kind != LeakKind::gap && glm::distance(leak.path.front(), Vec3(2, 2, 1.25)) < 1.5;
+  }));
+  const CellId right = found.complex.locate({8, 2, 1});
+  ASSERT_TRUE(right.valid());
+  EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
+}
+
+}  // namespace
+}  // namespace enfilade
