@@ -21,7 +21,8 @@ def main() -> int:
     os.environ["ENFILADE_CSV"] = str(arguments.csv.resolve())
     notebook = nbformat.read(arguments.notebook, as_version=4)
     try:
-        NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+        NotebookClient(notebook, timeout=120, kernel_name="python3",
+                       resources={"metadata": {"path": str(arguments.notebook.resolve().parent)}}).execute()
     except CellExecutionError as error:
         print(error, file=sys.stderr)
         return 1

@@ -63,6 +63,17 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
       ->check(CLI::IsMember({"constant", "linear", "auto"}))
       ->capture_default_str()
       ->group(group);
+  sub.add_option("--oracle", o.oracle,
+                 "What refines a link: error (what may be wrong with it) or bf (the power that it "
+                 "carries, after Hanrahan 91)")
+      ->check(CLI::IsMember({"error", "bf"}))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--visibility", o.visibility,
+                 "How links are tested: exact (cut against the few polygons between) or rays alone")
+      ->check(CLI::IsMember({"exact", "rays"}))
+      ->capture_default_str()
+      ->group(group);
   sub.add_option("--max-iterations", o.max_iterations, "Give up after so many iterations")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str()
@@ -196,6 +207,8 @@ SolveConfig SolveOptions::config() const {
   config.coarse_correction = !no_correction;
   config.resume = resume;
   config.max_iterations = max_iterations;
+  if (oracle == "bf") config.oracle = OracleKind::brightness_form_factor;
+  if (visibility == "rays") config.visibility = VisibilityMethod::rays;
   return config;
 }
 

@@ -17,6 +17,7 @@ struct SolveOptions {
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
   std::string basis = "auto", scheme = "spmd", assignment = "kmeans", order = "travelling-salesman";
+  std::string oracle = "error", visibility = "exact";
   std::string iteration = "gauss-seidel";
   std::string memory, memory_manager = "own", local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;

@@ -62,6 +62,8 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   if (plan.sample) gather_config_.residual = sampling(plan);
   gather_config_.refinement.max_depth = config_.max_depth;
   gather_config_.refinement.min_area_m2 = config_.min_area_m2;
+  gather_config_.refinement.oracle = config_.oracle;
+  gather_config_.refinement.visibility = config_.visibility;
 }
 
 /// Half of the points go by area, half by the light that arrives.

@@ -24,6 +24,8 @@ struct RadiosityWorkConfig {
       false;            ///< refine by committed light alone; the paper takes a rank's newest
   bool jacobi = false;  ///< gather committed light alone, always
   MemoryManager memory_manager = MemoryManager::own;
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
 class RadiosityWork final : public ClusterWork {

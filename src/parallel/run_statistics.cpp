@@ -74,6 +74,8 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
   record.set("escaping_share", RunRecord::Value(largest_share(emitted, stays)));
   record.set("rays", all.work.rays);
   record.set("form_factors", all.work.form_factors);
+  record.set("kernels", all.work.kernels);
+  record.set("shafts", all.work.shafts);
   record.set("steals", all.steals);
   record.set("steal_requests", all.steal_requests);
 }

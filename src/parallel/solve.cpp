@@ -136,7 +136,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
                      recorder,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
-                      config.jacobi, config.memory_manager});
+                      config.jacobi, config.memory_manager, config.oracle, config.visibility});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
@@ -166,6 +166,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                                 [&] { return std::pair(store.count(), work.residency_count()); }},
                                communicator, machine, iterate_all);
   if (communicator.root()) {
+    record.set("oracle", config.oracle == OracleKind::error ? "error" : "bf");
+    record.set("visibility", config.visibility == VisibilityMethod::exact ? "exact" : "rays");
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));
   }

@@ -13,6 +13,7 @@
 #include "parallel/prepare.hpp"
 #include "parallel/scheme.hpp"
 #include "radiosity/cluster_state.hpp"
+#include "radiosity/refinement_oracle.hpp"
 #include "store/placement.hpp"
 #include "tour/order.hpp"
 
@@ -37,6 +38,8 @@ struct SolveConfig {
   bool jacobi = false;  ///< every gather takes the last iteration's light, a rank's own included
   bool resume = false;  ///< go on from the last committed iteration
   int max_iterations = 200;
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::exact;
   int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;
 };

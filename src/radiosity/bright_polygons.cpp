@@ -67,7 +67,7 @@ double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_
   int open = 0, rays = 0;
   auto look = [&](const Vec2& at) {
     ++rays;
-    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon) ? 0 : 1;
+    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon, RayStart::in_air) ? 0 : 1;
   };
   for (const Vec2& q : shape.quadrature()) look(q);
   if (factor > threshold) {
@@ -187,7 +187,7 @@ void BrightPolygons::add_one(const Vec3& p, const Vec3& n, std::uint32_t own,
   const double factor = point_to_polygon(p, n, b.corners);
   if (factor <= 0.0) return;
   const Vec3 y = frame.at(b.forest->node(b.k).shape.point_in_quarter(quarter, r1, r2));
-  if (occluders_->rays().occluded(p, y, own, b.polygon)) return;
+  if (occluders_->rays().occluded(p, y, own, b.polygon, RayStart::in_air)) return;
   const double chance = (weights[i] - (i > 0 ? weights[i - 1] : 0.0)) / weights.back();
   for (std::size_t band = 0; band < irradiance.size(); ++band) {
     irradiance[band] += share[band] * factor / chance * b.radiosity(band);

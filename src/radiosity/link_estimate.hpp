@@ -54,11 +54,16 @@ struct LinkEstimate {
   bool invisible = false;       ///< certain: nothing can ever arrive
 };
 
+enum class VisibilityMethod {
+  exact,  ///< cut exactly against few occluders; against many by rays and proofs
+  rays,   ///< rays alone
+};
+
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.
 class LinkEstimator {
  public:
-  LinkEstimator(const Occluders& occluders, WorkCount& work)
-      : occluders_(&occluders), work_(&work) {}
+  LinkEstimator(const Occluders& occluders, VisibilityMethod method, WorkCount& work)
+      : occluders_(&occluders), method_(method), work_(&work) {}
 
   /// `tolerance`: received power below which an error does not matter; it decides how many rays are
   /// cast.
@@ -97,6 +102,7 @@ class LinkEstimator {
                 class Random& random, std::uint32_t* blocker);
 
   const Occluders* occluders_;
+  VisibilityMethod method_;
   WorkCount* work_;
   std::vector<double> weights_;  ///< per polygon of a shooting group
   Polygon polygon_;

@@ -9,7 +9,8 @@ LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLigh
       lights_(lights),
       config_(config),
       work_(work),
-      estimator_(occluders, work) {}
+      estimator_(occluders, config.visibility, work),
+      oracle_(refinement_oracle(config.oracle)) {}
 
 LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter) const {
   return shooter == nullptr ? LinkSide::of(lights_[link.shooter.root], link.shooter.root)
@@ -23,17 +24,18 @@ bool LinkRefinement::can_split(const LinkSide& side) const {
          side.shape.deviations().y > 0.0;
 }
 
-bool LinkRefinement::fine_as_it_is(const Link& link, const PatchForest* shooter) const {
+bool LinkRefinement::fine_as_it_is(const Link& link, std::span<const float> transport,
+                                   const PatchForest* shooter) const {
   if (!link.evaluated && link.is_light()) return false;
   if (link.evaluated && link.finest) return true;
   const LinkSide side = shooter_side(link, shooter);
   if (!link.evaluated) return side.light <= 0.0 && side.variation <= 0.0;
-  return link.error * side.light + link.variation * side.variation <= config_.link_tolerance;
+  return oracle_->doubt(link, transport, receiver_.patches(), side) <= config_.link_tolerance;
 }
 
 bool LinkRefinement::refine(const Link& link, std::span<const float> transport,
                             const PatchForest* shooter, LinkSet& kept) {
-  if (fine_as_it_is(link, shooter)) {
+  if (fine_as_it_is(link, transport, shooter)) {
     kept.add(link, transport);
     return false;
   }
@@ -78,33 +80,20 @@ void LinkRefinement::evaluate(Link link, const PatchForest* shooting, LinkSet& k
   }
   const LinkEstimate estimate = estimator_.evaluate(receiver, shooter, tolerance);
   if (estimate.invisible) return;
-  const double variation_error = estimate.variation * shooter.variation;
-  const double error =
-      (estimate.receiver_error + estimate.shooter_error) * shooter.light + variation_error;
-  if (error <= tolerance) {
-    accept(link, shooter, estimate, false, kept);
+  describe(link, shooter, estimate);
+  const std::span<const float> transport(estimate.transport.data(), kept.stride());
+  if (oracle_->doubt(link, transport, receiver_.patches(), shooter) <= tolerance) {
+    kept.add(link, transport);
     return;
   }
-  bool split_receiver = splits_receiver(receiver, shooter, estimate, variation_error);
+  bool split_receiver = oracle_->splits_receiver(receiver, shooter, estimate);
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) split_receiver = !split_receiver;
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) {
-    accept(link, shooter, estimate, true, kept);
+    link.finest = true;
+    kept.add(link, transport);
     return;
   }
   split(receiver, shooter, split_receiver);
-}
-
-/// The side that dominates; where visibility alone is in doubt, the larger one.
-bool LinkRefinement::splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
-                                     const LinkEstimate& estimate, double variation_error) const {
-  const bool shooter_is_larger = shooter.radius > receiver.radius;
-  const double receiver_error = estimate.receiver_error * shooter.light;
-  const double shooter_error = estimate.shooter_error * shooter.light + variation_error;
-  if (receiver.is_group()) return !(shooter.is_group() && shooter_is_larger);
-  if (shooter.is_group() && receiver_error < shooter_error) return false;
-  return receiver_error > shooter_error ||
-         (receiver_error > 0.25 * shooter_error && !shooter_is_larger) ||
-         (variation_error < 0.5 * shooter_error && !shooter_is_larger);
 }
 
 /// Puts the links between the halves of one side and the other side on the list.
@@ -139,21 +128,19 @@ void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bo
   }
 }
 
-void LinkRefinement::accept(Link link, const LinkSide& shooter, const LinkEstimate& estimate,
-                            bool finest, LinkSet& kept) {
+/// Writes into the link what the estimate says of it.
+void LinkRefinement::describe(Link& link, const LinkSide& shooter, const LinkEstimate& estimate) {
   link.evaluated = true;
-  link.finest = finest;
+  link.finest = false;
   link.error = static_cast<float>(estimate.receiver_error + estimate.shooter_error);
   link.variation = static_cast<float>(estimate.variation);
   link.doubt = estimate.shooter_error > 0.0
                    ? static_cast<std::uint8_t>(255.0 * estimate.shooter_error /
                                                (estimate.receiver_error + estimate.shooter_error))
                    : std::uint8_t{0};
-  if (shooter.is_patch()) {
-    link.shooter_x = static_cast<float>(shooter.shape.centroid.x);
-    link.shooter_y = static_cast<float>(shooter.shape.centroid.y);
-  }
-  kept.add(link, std::span<const float>(estimate.transport.data(), kept.stride()));
+  if (!shooter.is_patch()) return;
+  link.shooter_x = static_cast<float>(shooter.shape.centroid.x);
+  link.shooter_y = static_cast<float>(shooter.shape.centroid.y);
 }
 
 }  // namespace enfilade

@@ -100,7 +100,7 @@ LinkEstimator::Visibility LinkEstimator::by_rays(const LinkSide& receiver, const
     v.within = unanimous ? 0.1 : 0.25;
     return v;
   }
-  if (unanimous && !shooter.is_group()) {
+  if (unanimous && !shooter.is_group() && method_ == VisibilityMethod::exact) {
     ++work_->shafts;
     const std::uint32_t skip_shooter = shooter.is_light()
                                            ? RayScene::no_polygon
@@ -152,7 +152,7 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
     facing_shooter = shooter.before(receives);
     from = &facing_shooter;
   }
-  if (0.25 * power > tolerance) {
+  if (0.25 * power > tolerance && method_ == VisibilityMethod::exact) {
     ++work_->shafts;
     const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
     const std::uint32_t other = occluders_->global(shooter.cluster, shooter.id.root);

@@ -71,6 +71,10 @@ bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blo
   return true;
 }
 
+std::vector<std::uint32_t> Occluders::touching(const Vec3& p, double reach_m) const {
+  return shafts_->touching(p, reach_m);
+}
+
 std::size_t Occluders::bytes() const {
   return rays_.bytes() + refs_.size() * (sizeof(PolygonRef) + 4 * sizeof(Vec3) + 80);
 }

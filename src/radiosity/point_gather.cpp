@@ -25,6 +25,7 @@ struct PointGather::Impl {
                 std::span<const double> weights, const BrightPolygons::Counted& counted,
                 Random& random, Spectrum& e) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
+  Vec3 lifted(const Vec3& p, const Vec3& n) const;
 };
 
 void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own,
@@ -32,7 +33,9 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
   for (const PointLight& light : lights) {
     const Vec3 d = light.p - p;
     const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
-    if (cosine <= 0.0 || occluders->rays().occluded(p, light.p, own)) continue;
+    if (cosine <= 0.0 ||
+        occluders->rays().occluded(p, light.p, own, RayScene::no_polygon, RayStart::in_air))
+      continue;
     for (std::size_t band = 0; band < bands; ++band) {
       e[band] += share[band] * light.intensity[band] * cosine / (r2 * std::sqrt(r2));
     }
@@ -49,7 +52,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
                                  Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
   for (int bounces = 0; bounces < 64; ++bounces) {
-    const RayHit hit = occluders->rays().closest(from, direction, own);
+    const RayHit hit = occluders->rays().closest(from, direction, own, 1e30, RayStart::in_air);
     const bool ends = !hit.any() || !hit.front;
     const bool is_counted = bounces == 0 && !ends && counted.polygons[hit.polygon] != 0;
     for (std::size_t b = 0; b < bands && bounces == 0 && !is_counted; ++b) {
@@ -105,12 +108,37 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
   }
 }
 
-/// The polygon that p lies on with the same facing, within the rays' blind distance; else none.
+/// The polygon that p lies on with the same facing, within the rays' blind distance; else none. Of
+/// several in one place the lowest number.
 std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const {
-  const double reach = 4.0 * occluders->rays().epsilon_m();
-  const RayHit hit =
-      occluders->rays().closest(p + reach * n, -n, RayScene::no_polygon, 2.0 * reach);
-  return hit.any() && hit.front ? hit.polygon : RayScene::no_polygon;
+  for (const std::uint32_t k : occluders->touching(p, 4.0 * occluders->rays().epsilon_m())) {
+    if (glm::dot(normal(occluders->polygon(k)), n) > 0.999) return k;
+  }
+  return RayScene::no_polygon;
+}
+
+/// Off the surface and off walls that stand up beside it, so that a corner's walls stay on their
+/// side: in a corner the light is what it is just before it.
+Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
+  const double step_m = 2.0 * occluders->rays().epsilon_m();
+  const Vec3 above = p + step_m * n;
+  std::vector<Vec3> away;
+  for (const std::uint32_t k : occluders->touching(p, step_m)) {
+    const Polygon& wall = occluders->polygon(k);
+    const bool rises = std::any_of(
+        wall.begin(), wall.end(), [&](const Vec3& v) { return glm::dot(n, v - p) > 4.0 * step_m; });
+    const Plane plane = plane_of(wall);
+    if (rises && plane.signed_distance(above) < step_m) away.push_back(plane.n);
+  }
+  Vec3 x = above;
+  for (const Vec3& m : away) {
+    // Between walls back to back there is no telling which room is meant.
+    const bool opposed = std::any_of(away.begin(), away.end(),
+                                     [&](const Vec3& o) { return glm::dot(m, o) < -0.999; });
+    const double short_m = step_m - glm::dot(m, x - above);
+    if (!opposed && short_m > 0.0) x += short_m * m;
+  }
+  return x;
 }
 
 PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
@@ -126,8 +154,7 @@ Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   Random random(impl_->config.seed);
   Spectrum e(impl_->bands, 0.0);
   const std::uint32_t own = impl_->surface_at(p, n);
-  // Off the surface, so that a corner's other walls stay on their side.
-  const Vec3 x = p + 2.0 * impl_->occluders->rays().epsilon_m() * n;
+  const Vec3 x = impl_->lifted(p, n);
   const BrightPolygons::Counted counted = impl_->bright.add_largest(x, n, own, e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
   impl_->add_hemisphere(x, n, own, random, counted, e);

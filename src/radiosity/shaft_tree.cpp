@@ -1,6 +1,7 @@
 #include "radiosity/shaft_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace enfilade {
@@ -62,6 +63,18 @@ bool reaches_into(const Polygon& polygon, std::span<const Plane> shaft, double t
     }
     if (next.empty()) return false;
     std::swap(current, next);
+  }
+  return true;
+}
+
+/// Is p within reach of the (convex) polygon, counting a little beyond its corners?
+bool touches(const Polygon& polygon, const Vec3& p, double reach_m) {
+  const Plane plane = plane_of(polygon);
+  if (std::abs(plane.signed_distance(p)) > reach_m) return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vec3 inward = glm::cross(plane.n, edge);
+    if (glm::dot(inward, p - polygon[i]) < -reach_m * glm::length(edge)) return false;
   }
   return true;
 }
@@ -146,6 +159,31 @@ void ShaftTree::find(std::span<const Plane> shaft, double tolerance_m, std::uint
       if (found.size() > most) return;
     }
   }
+}
+
+std::vector<std::uint32_t> ShaftTree::touching(const Vec3& p, double reach_m) const {
+  std::vector<std::uint32_t> near;
+  if (nodes_.empty()) return near;
+  const Vec3 margin(reach_m);
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (glm::any(glm::lessThan(p + margin, node.box.lo)) ||
+        glm::any(glm::greaterThan(p - margin, node.box.hi))) {
+      continue;
+    }
+    if (node.left >= 0) {
+      stack.push_back(node.left);
+      stack.push_back(node.right);
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (touches(polygons_[order_[i]], p, reach_m)) near.push_back(order_[i]);
+    }
+  }
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 }  // namespace enfilade

@@ -26,6 +26,8 @@ class ShaftTree {
   /// order for the same shaft.
   void find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
             std::uint32_t skip_b, std::size_t most, std::vector<std::uint32_t>& found) const;
+  /// The polygons that pass within reach_m of p, in ascending order.
+  std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
   const Polygon& polygon(std::uint32_t k) const { return polygons_[k]; }
 
  private:

@@ -66,6 +66,7 @@ struct RayScene::Impl {
     return r;
   }
 
+  double near_m(RayStart start) const { return start == RayStart::in_air ? 0.0 : epsilon; }
   void build(std::span<const Polygon> polygons);
   RayHit closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip, double near_m,
                  double far_m) const;
@@ -132,13 +133,13 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-bool RayScene::occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a,
-                        std::uint32_t skip_b) const {
+bool RayScene::occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                        RayStart start) const {
   const Vec3 d = b - a;
   const double length = glm::length(d);
-  const double near_m = impl_->epsilon;
-  if (length <= 2.0 * near_m) return false;
-  RTCRay ray = impl_->ray(a, d / length, near_m, length - near_m);
+  const double epsilon = impl_->epsilon;
+  if (length <= 2.0 * epsilon) return false;
+  RTCRay ray = impl_->ray(a, d / length, impl_->near_m(start), length - epsilon);
   SkipContext context = impl_->context(skip_a, skip_b);
   rtcOccluded1(impl_->scene, &context.embree, &ray);
   return ray.tfar < 0.0f;
@@ -161,13 +162,13 @@ RayHit RayScene::Impl::closest(const Vec3& from, const Vec3& unit_direction, std
 }
 
 RayHit RayScene::closest(const Vec3& from, const Vec3& direction, std::uint32_t skip,
-                         double max_distance_m) const {
+                         double max_distance_m, RayStart start) const {
   const Vec3 d = glm::normalize(direction);
-  const double epsilon = impl_->epsilon;
-  const RayHit hit = impl_->closest(from, d, skip, epsilon, max_distance_m);
+  const double epsilon = impl_->epsilon, near_m = impl_->near_m(start);
+  const RayHit hit = impl_->closest(from, d, skip, near_m, max_distance_m);
   if (!hit.any() || hit.front) return hit;
   // A wall without thickness is two polygons in one place; the ray meets the one that faces it.
-  RayHit twin = impl_->closest(from, d, hit.polygon, std::max(epsilon, hit.distance_m - epsilon),
+  RayHit twin = impl_->closest(from, d, hit.polygon, std::max(near_m, hit.distance_m - epsilon),
                                hit.distance_m + epsilon);
   return twin.any() && twin.front && twin.polygon != skip ? twin : hit;
 }

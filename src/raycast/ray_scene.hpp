@@ -19,6 +19,10 @@ struct RayHit {
   bool any() const { return polygon != 0xFFFFFFFFu; }
 };
 
+/// Where a ray begins: on a polygon, with others perhaps in the same place, or in the air (lifted
+/// off by twice `epsilon_m()`), where all that lies ahead counts, however near.
+enum class RayStart { on_polygon, in_air };
+
 /// Convex polygons in an Embree BVH, in robust mode, with coordinates shifted to their centre so
 /// that single precision is relative to the scene's size and not to its place. Polygons block from
 /// both sides.
@@ -33,13 +37,13 @@ class RayScene {
 
   /// Is there anything between a and b, other than the polygons numbered skip_a and skip_b?
   bool occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a = no_polygon,
-                std::uint32_t skip_b = no_polygon) const;
-  /// First hit from `from` along `direction` (any length), beyond `epsilon_m()`, skipping polygon
-  /// `skip`. Of polygons in one place, one that shows its front.
+                std::uint32_t skip_b = no_polygon, RayStart start = RayStart::on_polygon) const;
+  /// First hit from `from` along `direction` (any length), skipping polygon `skip`. Of polygons in
+  /// one place, one that shows its front.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
-                 double max_distance_m = 1e30) const;
-  /// Rays are blind this close to their ends: about the single-precision step at the scene's
-  /// extent.
+                 double max_distance_m = 1e30, RayStart start = RayStart::on_polygon) const;
+  /// Rays are blind this close to an end on a polygon: about the single-precision step at the
+  /// scene's extent.
   double epsilon_m() const;
   std::size_t bytes() const;
 

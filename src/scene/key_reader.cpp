@@ -5,6 +5,11 @@
 #include "scene/json_text.hpp"
 
 namespace enfilade {
+namespace {
+
+constexpr double most_light = 1e30;  ///< so that products of light, areas and errors stay finite
+
+}  // namespace
 
 std::string KeyReader::shown_value(const nlohmann::json& value) { return shown(value); }
 
@@ -32,6 +37,10 @@ Spectrum KeyReader::spectrum(const nlohmann::json& value, const std::string& whe
     const auto place = [&] { return listed ? where + "[" + std::to_string(i) + "]" : where; };
     const double x = entry.is_number() ? entry.get<double>() : finite(entry, place());
     if (x < 0.0) fail(place(), "is " + shown(entry) + ", below zero", "write 0 or more");
+    if (x > most_light) {
+      fail(place(), "is " + shown(entry) + ", more than numbers can carry on with",
+           "write it in a larger unit: at most 1e30");
+    }
     if (x >= high) {
       fail(place(), "is " + shown(entry) + ", outside [0, 1)",
            "a surface reflects less than all light: write 0 to 0.9999");

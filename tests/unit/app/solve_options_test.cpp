@@ -33,6 +33,8 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.memory = "1.5M";
   options.basis = "constant";
   options.assignment = "round-robin";
+  options.oracle = "bf";
+  options.visibility = "rays";
   options.order = "backtracking";
   options.scheme = "replicated";
   options.memory_manager = "malloc";
@@ -42,6 +44,8 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   EXPECT_EQ(config.memory_bytes, 3u << 19);
   EXPECT_EQ(config.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
+  EXPECT_EQ(config.oracle, OracleKind::brightness_form_factor);
+  EXPECT_EQ(config.visibility, VisibilityMethod::rays);
   EXPECT_EQ(config.order, TourOrder::backtracking);
   EXPECT_EQ(config.scheme, Scheme::replicated);
   EXPECT_EQ(config.memory_manager, MemoryManager::malloc);

@@ -1,0 +1,42 @@
+// What every fuzz target has: libFuzzer's entry point, and a file for readers that want one.
+#pragma once
+
+#include <stdlib.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+/// Does what is tested with the bytes; a fault shows as a crash, a sanitizer's report or a hang.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace enfilade::fuzz {
+
+/// Holds whatever the compiler does with assert.
+inline void require(bool holds) {
+  if (!holds) abort();
+}
+
+/// The bytes as a file with this extension, in a directory of its own that goes with it.
+class InputFile {
+ public:
+  InputFile(const std::uint8_t* data, std::size_t size, const std::string& extension) {
+    std::string name = (std::filesystem::temp_directory_path() / "enfilade_fuzz_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    directory_ = name;
+    std::ofstream(path_ = directory_ / ("input" + extension), std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  }
+  ~InputFile() { std::filesystem::remove_all(directory_); }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path directory_, path_;
+};
+
+}  // namespace enfilade::fuzz
