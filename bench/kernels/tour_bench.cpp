@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "graphs.hpp"
-#include "tour/tour.hpp"
+#include "tour/order.hpp"
 #include "unit/tour/tour_costs.hpp"
 
 namespace enfilade::bench {
@@ -27,9 +27,10 @@ void BM_Cycle(benchmark::State& state) {
   const ClusterGraph graph = building_of(state.range(0));
   const VisibilityCost cost(graph, test::random_bytes(graph.size(), 1), no_limit);
   const std::vector<ClusterId> clusters = test::all_clusters(graph);
+  const auto order = make_order(TourOrder::travelling_salesman, 1, graph);
   std::uint64_t bytes = 0;
   for (auto _ : state) {
-    bytes = Cycle(clusters, cost, TourOrder::travelling_salesman, 1).cost_bytes();
+    bytes = Cycle(order->arrange(clusters, cost), cost).cost_bytes();
   }
   state.counters["clusters_per_second"] = benchmark::Counter(
       static_cast<double>(graph.size()), benchmark::Counter::kIsIterationInvariantRate);

@@ -4,17 +4,24 @@
 
 namespace enfilade {
 
-void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
+void describe_strategies(RunRecord& record, const SolveConfig& config) {
   record.set("version", ENFILADE_VERSION);
   record.set("revision", ENFILADE_REVISION);
+  record.set("seed", config.seed);
+  record.set("scheme", name_of(config.scheme));
+  record.set("assignment", name_of(config.assignment));
+  record.set("order", name_of(config.order));
+  record.set("iteration", config.jacobi ? "jacobi" : "gauss-seidel");
+  record.set("steal", config.steal);
+  record.set("memory_manager", name_of(config.memory_manager));
+  record.set("memory_bytes", config.memory_bytes);
+}
+
+void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
   record.set("scene_hash", hash_text(prepared.scene.hash));
   record.set("unit", enfilade::name_of(prepared.scene.unit));
-  record.set("seed", config.seed);
   record.set("target_error", config.target_error);
-  record.set("assignment", name_of(config.assignment));
-  record.set("order", config.order == TourOrder::input ? "input" : "travelling-salesman");
-  record.set("steal", config.steal);
-  record.set("memory_bytes", config.memory_bytes);
+  describe_strategies(record, config);
 }
 
 }  // namespace enfilade

@@ -19,7 +19,9 @@ constexpr const char* footer =
     "  mpirun -n 4 enfilade solve scenes/duplex.json -o out/duplex --target-error 0.01\n"
     "  enfilade solve out/duplex --resume            (after a crash)\n"
     "  smpirun -platform platforms/office.xml -hostfile platforms/office-4.hosts -np 4 \\\n"
-    "    enfilade-smpi solve scenes/duplex.json -o out/simulated\n\n"
+    "    enfilade-smpi solve scenes/duplex.json -o out/simulated\n"
+    "  smpirun -platform platforms/office.xml -hostfile platforms/office-2.hosts -np 2 \\\n"
+    "    enfilade-smpi solve --replay out/simulated -o out/two-hosts\n\n"
     "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, "
     "and\n"
     "probes.json where the scene has probes.";
@@ -34,8 +36,8 @@ bool is_directory(const std::string& path) {
   return fs::is_directory(path, code);
 }
 
-TourOrder order_of(const std::string& name) {
-  return name == "input" ? TourOrder::input : TourOrder::travelling_salesman;
+std::vector<std::string> texts(std::span<const char* const> names) {
+  return {names.begin(), names.end()};
 }
 
 void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
@@ -70,15 +72,25 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
 void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   const std::string group = "How the work is cut up and ordered";
   sub.add_option(
-         "--assignment", o.assignment,
-         "Clusters to ranks: kmeans (figure 1), metis, greedy (grown by estimated form factors, "
-         "after Funkhouser 96) or round-robin")
-      ->check(CLI::IsMember({"kmeans", "metis", "greedy", "round-robin"}))
+         "--scheme", o.scheme,
+         "How ranks share the work: spmd, each with files of its own, stealing; master-slave, "
+         "groups by messages from rank 0 (after Funkhouser 96); replicated, one cell after the "
+         "other on all ranks (after Feng and Yang 97)")
+      ->check(CLI::IsMember(texts(scheme_names())))
       ->capture_default_str()
       ->group(group);
-  sub.add_option("--order", o.order,
-                 "Order in which a rank's clusters gather: travelling-salesman or input")
-      ->check(CLI::IsMember({"travelling-salesman", "input"}))
+  sub.add_option("--assignment", o.assignment,
+                 "Clusters to ranks (spmd): kmeans (figure 1), metis, greedy (grown by estimated "
+                 "form factors, "
+                 "after Funkhouser 96) or round-robin")
+      ->check(CLI::IsMember(texts(assignment_names())))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option(
+         "--order", o.order,
+         "Order in which a rank's clusters gather: travelling-salesman, greedy, random, input "
+         "(as numbered), backtracking (depth first), unshot-energy (where most light waits)")
+      ->check(CLI::IsMember(texts(order_names())))
       ->capture_default_str()
       ->group(group);
   sub.add_flag("--no-steal", o.no_steal,
@@ -87,15 +99,34 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   sub.add_flag("--no-coarse-correction", o.no_correction,
                "The paper's group iteration as it is, which needs more iterations at many ranks")
       ->group(group);
+  sub.add_option(
+         "--iteration", o.iteration,
+         "Light that a gather takes from its own rank's clusters: gauss-seidel, the newest; "
+         "jacobi, the last iteration's")
+      ->check(CLI::IsMember({"gauss-seidel", "jacobi"}))
+      ->capture_default_str()
+      ->group(group);
   sub.add_option("--memory", o.memory,
                  "Memory a rank may use for clusters, as 512M or 2G; the rest stays on disk. "
                  "Default: no limit")
+      ->group(group);
+  sub.add_option(
+         "--memory-manager", o.memory_manager,
+         "own: the solver places clusters in the memory itself and gives back what is free; "
+         "malloc: leave that to a general-purpose heap. stats.json tells the heap's extent "
+         "and what of it would be swapped, where --memory is given")
+      ->check(CLI::IsMember({"own", "malloc"}))
+      ->capture_default_str()
       ->group(group);
   sub.add_option("--local-dir", o.local_directory,
                  "Where each rank makes its local directory; default: RUN/local")
       ->group(group);
   sub.add_option("--cost-model", o.cost_model,
                  "What counted work costs on a simulated host (JSON); default: the built-in model")
+      ->group(group);
+  sub.add_option("--replay", o.replay,
+                 "On a simulated cluster: do what RUN recorded in place of the kernels, for the "
+                 "time alone; a what-if takes seconds")
       ->group(group);
   sub.add_option("--seed", o.seed, "Seed of everything that draws lots")
       ->check(CLI::NonNegativeNumber)
@@ -120,9 +151,28 @@ std::string SolveOptions::probe_source() const {
   return is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
 }
 
+void SolveOptions::check_replay() const {
+  if (resume) {
+    throw InputError("command line", "--replay", "does not go with --resume",
+                     "leave one of them out");
+  }
+  if (scheme != "spmd") {
+    throw InputError("command line", "--replay", "knows no scheme but spmd", "leave --scheme out");
+  }
+  std::error_code missing;
+  if (fs::equivalent(replay, output, missing)) {
+    throw InputError("command line", "-o", "is the run that is replayed", "name another directory");
+  }
+}
+
 SolveConfig SolveOptions::config() const {
+  if (input.empty() == replay.empty()) {
+    throw InputError("command line", "solve", "takes either a scene or --replay RUN",
+                     "name one of them; see enfilade solve --help");
+  }
+  if (!replay.empty()) check_replay();
   if (output.empty() && !is_directory(input)) {
-    if (std::error_code code; !fs::exists(input, code)) {
+    if (std::error_code code; !input.empty() && !fs::exists(input, code)) {
       throw InputError(input, "file", code ? code.message() : "does not exist", "check the path");
     }
     throw InputError("command line", "solve", "-o is missing",
@@ -136,9 +186,12 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
+  config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;
+  config.scheme = scheme_of(scheme);
   config.assignment = assignment_method(assignment);
-  config.order = order_of(order);
+  config.order = tour_order(order);
+  config.jacobi = iteration == "jacobi";
   config.steal = !no_steal;
   config.coarse_correction = !no_correction;
   config.resume = resume;
@@ -147,13 +200,14 @@ SolveConfig SolveOptions::config() const {
 }
 
 void add_solve_options(CLI::App& sub, SolveOptions& o) {
-  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made")
-      ->required();
+  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made");
   sub.add_option("-o,--output", o.output,
                  "RUN directory to fill; may be left out where the input is one");
   add_accuracy_options(sub, o);
   add_parallel_options(sub, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_flag("--trace", o.trace,
+               "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.footer(footer);

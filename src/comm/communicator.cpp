@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <deque>
 #include <iostream>
+#include <map>
 
 #include "base/error.hpp"
 
@@ -22,6 +23,9 @@ void check(int code, const char* call) {
   throw RunError(std::string(call) +
                  " failed: " + std::string(text, static_cast<std::size_t>(length)));
 }
+
+/// Messages on their way before those that have arrived are looked for.
+constexpr std::size_t most_sending = 64;
 
 /// A message on its way: its bytes must stay until MPI has taken them.
 struct Pending {
@@ -38,6 +42,7 @@ struct Communicator::Impl {
   MessageCount sent;
   std::vector<std::byte> inbox = std::vector<std::byte>(1 << 20);
   MPI_Request receiving = MPI_REQUEST_NULL;
+  std::map<int, std::vector<std::byte>> parts;  ///< of messages that have not come whole, by sender
 
   void post() {
     check(MPI_Irecv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, MPI_ANY_SOURCE,
@@ -46,21 +51,44 @@ struct Communicator::Impl {
   }
   void start(int to, Tag tag, std::vector<std::byte> bytes) {
     ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
+    if (sending.size() >= most_sending) drop_sent();
     Pending& p = sending.emplace_back(Pending{std::move(bytes), MPI_REQUEST_NULL});
     check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to,
                     static_cast<int>(tag), comm, &p.request),
           "MPI_Isend");
   }
+  /// Forgets what MPI has taken, so that one who sends much keeps little.
+  void drop_sent() {
+    std::erase_if(sending, [](Pending& p) {
+      int gone = 0;
+      check(MPI_Test(&p.request, &gone, MPI_STATUS_IGNORE), "MPI_Test");
+      return gone != 0;
+    });
+  }
+  /// What is longer than the inbox goes in parts; those of one sender arrive in order.
   void send(Rank to, Tag tag, std::vector<std::byte> bytes) {
     ++sent.messages;
     sent.bytes += bytes.size();
+    auto at = bytes.begin();
+    const auto part = static_cast<std::ptrdiff_t>(inbox.size());
+    for (; bytes.end() - at > part; at += part) start(to.value, Tag::part, {at, at + part});
+    bytes.erase(bytes.begin(), at);
     start(to.value, tag, std::move(bytes));
   }
-  Received take(const MPI_Status& status) {
+  /// None where more parts are to follow.
+  std::optional<Received> take(const MPI_Status& status) {
     int count = 0;
     check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
     const std::span<const std::byte> bytes(inbox.data(), static_cast<std::size_t>(count));
-    Received received{Rank{status.MPI_SOURCE}, decode(static_cast<Tag>(status.MPI_TAG), bytes)};
+    const auto tag = static_cast<Tag>(status.MPI_TAG);
+    std::vector<std::byte>& before = parts[status.MPI_SOURCE];
+    if (tag == Tag::part || !before.empty())
+      before.insert(before.end(), bytes.begin(), bytes.end());
+    std::optional<Received> received;
+    if (tag != Tag::part) {
+      received = {Rank{status.MPI_SOURCE}, decode(tag, before.empty() ? bytes : before)};
+      parts.erase(status.MPI_SOURCE);
+    }
     post();
     return received;
   }
@@ -106,36 +134,25 @@ Rank Communicator::rank() const { return Rank{impl_->rank}; }
 int Communicator::size() const { return impl_->size; }
 const MessageCount& Communicator::sent() const { return impl_->sent; }
 
-void Communicator::limit_message_bytes(std::size_t bytes) {
-  impl_->withdraw();
-  impl_->inbox.assign(bytes, std::byte{0});
-  impl_->post();
-}
-
-void Communicator::send(Rank to, const StealRequest& request) {
-  impl_->send(to, Tag::steal_request, encode(request));
-}
-void Communicator::send(Rank to, const StealReply& reply) {
-  impl_->send(to, Tag::steal_reply, encode(reply));
-}
-void Communicator::send(Rank to, const Token& token) { impl_->send(to, Tag::token, encode(token)); }
-void Communicator::send(Rank to, const Verdict& verdict) {
-  impl_->send(to, Tag::verdict, encode(verdict));
+void Communicator::send(Rank to, const Message& message) {
+  impl_->send(to, tag_of(message), encode(message));
 }
 
 std::optional<Received> Communicator::poll() {
-  int arrived = 0;
-  MPI_Status status;
-  check(MPI_Test(&impl_->receiving, &arrived, &status), "MPI_Test");
-  if (arrived == 0) return std::nullopt;
-  return impl_->take(status);
+  while (true) {
+    int arrived = 0;
+    MPI_Status status;
+    check(MPI_Test(&impl_->receiving, &arrived, &status), "MPI_Test");
+    if (arrived == 0) return std::nullopt;
+    if (auto received = impl_->take(status)) return received;
+  }
 }
 
 Received Communicator::receive(Machine& machine) {
-  if (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
+  while (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
     MPI_Status status;
     check(MPI_Wait(&impl_->receiving, &status), "MPI_Wait");
-    return impl_->take(status);
+    if (auto received = impl_->take(status)) return std::move(*received);
   }
   for (int turn = 0;; ++turn) {
     if (auto received = poll()) return std::move(*received);

@@ -52,10 +52,7 @@ class Communicator {
   Rank successor() const { return Rank{(rank().value + 1) % size()}; }
 
   /// Never blocks: the bytes are kept until they are gone.
-  void send(Rank to, const StealRequest& request);
-  void send(Rank to, const StealReply& reply);
-  void send(Rank to, const Token& token);
-  void send(Rank to, const Verdict& verdict);
+  void send(Rank to, const Message& message);
   /// The next message from anybody, if there is one now.
   std::optional<Received> poll();
   /// Waits for the next message from anybody; pauses as the machine sees fit.
@@ -63,8 +60,6 @@ class Communicator {
   /// Waits until all that this rank has sent has left. Only when its receivers are sure to take it.
   void finish_sends();
   const MessageCount& sent() const;
-  /// No message may be longer; 1 MiB unless told. Same on all ranks, before the first message.
-  void limit_message_bytes(std::size_t bytes);
 
   /// Collective operations, for the start and the end of a run: all ranks call them.
   void barrier();

@@ -3,69 +3,130 @@
 #include "base/byte_stream.hpp"
 
 namespace enfilade {
-std::vector<std::byte> encode(const StealRequest& request) {
-  ByteWriter w;
+namespace {
+
+void write(ByteWriter& w, const StealRequest& request) {
   w.put(request.iteration);
   w.put_all(request.resident);
-  return w.take();
 }
 
-std::vector<std::byte> encode(const StealReply& reply) {
-  ByteWriter w;
-  w.put(reply.cluster);
-  return w.take();
-}
+void write(ByteWriter& w, const StealReply& reply) { w.put(reply.cluster); }
 
-std::vector<std::byte> encode(const Token& token) {
-  ByteWriter w;
+void write(ByteWriter& w, const Token& token) {
   w.put_all(token.maxima);
   w.put_all(token.sums);
   w.put_all(token.coarse);
-  return w.take();
 }
 
-std::vector<std::byte> encode(const Verdict& verdict) {
-  ByteWriter w;
+void write(ByteWriter& w, const Verdict& verdict) {
   w.put(verdict.value);
   w.put_all(verdict.plan);
   w.put_all(verdict.correction);
+}
+
+void write(ByteWriter& w, const WorkRequest& request) { w.put_all(request.done); }
+
+void write(ByteWriter& w, const WorkOrder& order) {
+  w.put_all(order.gather);
+  w.put(order.hold_each);
+  w.put_all(order.hold);
+  w.put_all(order.gathered);
+}
+
+void write(ByteWriter& w, const SectionRequest& request) { w.put_all(request.sections); }
+
+void write_sections(ByteWriter& w, const std::vector<SectionFile>& sections) {
+  w.put(static_cast<std::uint64_t>(sections.size()));
+  for (const SectionFile& section : sections) {
+    w.put(section.info);
+    w.put_all(section.bytes);
+  }
+}
+
+std::vector<SectionFile> read_sections(ByteReader& r) {
+  std::vector<SectionFile> sections(r.get_count(sizeof(SectionInfo)));
+  for (SectionFile& section : sections) {
+    section.info = r.get<SectionInfo>();
+    section.bytes = r.get_all<std::byte>();
+  }
+  return sections;
+}
+
+void write(ByteWriter& w, const SectionReply& reply) { write_sections(w, reply.sections); }
+void write(ByteWriter& w, const ClusterResult& result) { write_sections(w, result.sections); }
+
+StealRequest read_steal_request(ByteReader& r) {
+  StealRequest request;
+  request.iteration = r.get<int>();
+  request.resident = r.get_all<ClusterId>();
+  return request;
+}
+
+Token read_token(ByteReader& r) {
+  Token token;
+  token.maxima = r.get_all<double>();
+  token.sums = r.get_all<double>();
+  token.coarse = r.get_all<double>();
+  return token;
+}
+
+Verdict read_verdict(ByteReader& r) {
+  Verdict verdict;
+  verdict.value = r.get<double>();
+  verdict.plan = r.get_all<double>();
+  verdict.correction = r.get_all<double>();
+  return verdict;
+}
+
+WorkOrder read_work_order(ByteReader& r) {
+  WorkOrder order;
+  order.gather = r.get_all<ClusterId>();
+  order.hold_each = r.get<bool>();
+  order.hold = r.get_all<ClusterId>();
+  order.gathered = r.get_all<ClusterId>();
+  return order;
+}
+
+Message read_message(Tag tag, ByteReader& r) {
+  switch (tag) {
+    case Tag::steal_request:
+      return read_steal_request(r);
+    case Tag::steal_reply:
+      return StealReply{r.get<ClusterId>()};
+    case Tag::token:
+      return read_token(r);
+    case Tag::verdict:
+      return read_verdict(r);
+    case Tag::work_request:
+      return WorkRequest{r.get_all<GatherNote>()};
+    case Tag::work_order:
+      return read_work_order(r);
+    case Tag::section_request:
+      return SectionRequest{r.get_all<SectionName>()};
+    case Tag::section_reply:
+      return SectionReply{read_sections(r)};
+    case Tag::cluster_result:
+      return ClusterResult{read_sections(r)};
+    default:
+      throw RunError("message with the unknown tag " + std::to_string(static_cast<int>(tag)));
+  }
+}
+
+}  // namespace
+
+Tag tag_of(const Message& message) {
+  return static_cast<Tag>(message.index() + 1);  // both in one order
+}
+
+std::vector<std::byte> encode(const Message& message) {
+  ByteWriter w;
+  std::visit([&w](const auto& m) { write(w, m); }, message);
   return w.take();
 }
 
 Message decode(Tag tag, std::span<const std::byte> bytes) {
   ByteReader r(bytes, "message");
-  Message message;
-  switch (tag) {
-    case Tag::steal_request: {
-      StealRequest request;
-      request.iteration = r.get<int>();
-      request.resident = r.get_all<ClusterId>();
-      message = std::move(request);
-      break;
-    }
-    case Tag::steal_reply: {
-      message = StealReply{r.get<ClusterId>()};
-      break;
-    }
-    case Tag::token: {
-      Token token;
-      token.maxima = r.get_all<double>();
-      token.sums = r.get_all<double>();
-      token.coarse = r.get_all<double>();
-      message = std::move(token);
-      break;
-    }
-    case Tag::verdict: {
-      Verdict verdict;
-      verdict.value = r.get<double>();
-      verdict.plan = r.get_all<double>();
-      verdict.correction = r.get_all<double>();
-      message = std::move(verdict);
-      break;
-    }
-    default:
-      throw RunError("message with the unknown tag " + std::to_string(static_cast<int>(tag)));
-  }
+  Message message = read_message(tag, r);
   r.expect_end();
   return message;
 }

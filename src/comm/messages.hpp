@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "store/cluster_files.hpp"
 
 namespace enfilade {
 
@@ -39,20 +40,69 @@ struct Verdict {
   std::vector<double> correction;  ///< what the coarse system adds to the light; may be empty
 };
 
-using Message = std::variant<StealRequest, StealReply, Token, Verdict>;
+/// The following are those of the schemes with a master (parallel/dealing.hpp), which is rank 0.
+/// There, slaves send their Token to the master and the master its Verdict to each slave.
+
+/// What a gather of a slave did, as far as the master needs it to plan by.
+struct GatherNote {
+  ClusterId cluster;
+  double change_power = 0.0;  ///< sum of area |B(k) - B(k-1)|
+  std::uint64_t links = 0;    ///< that it gathered over: how much work it was
+};
+
+/// Slave to master: "I have nothing to do; this is what became of your last order."
+struct WorkRequest {
+  std::vector<GatherNote> done;
+};
+
+/// Master to slave, in answer.
+struct WorkOrder {
+  std::vector<ClusterId> gather;    ///< in this order; none: this iteration has nothing more for it
+  bool hold_each = false;           ///< hold what each receiver sees, one receiver after the other
+  std::vector<ClusterId> hold;      ///< else: hold what all of these see; none: as before
+  std::vector<ClusterId> gathered;  ///< by anybody, not told before: the newest light is to be used
+};
+
+/// Slave to master: these sections of clusters, please.
+struct SectionRequest {
+  std::vector<SectionName> sections;
+};
+
+/// Master to slave: those sections, in the order asked for. As long as the clusters are.
+struct SectionReply {
+  std::vector<SectionFile> sections;
+};
+
+/// Slave to master: what a gather made of a cluster: its patches, and its links where they changed.
+struct ClusterResult {
+  std::vector<SectionFile> sections;
+};
+
+using Message = std::variant<StealRequest, StealReply, Token, Verdict, WorkRequest, WorkOrder,
+                             SectionRequest, SectionReply, ClusterResult>;
 
 struct Received {
   Rank from;
   Message message;
 };
 
-/// MPI tags, one a kind of message.
-enum class Tag : int { steal_request = 1, steal_reply = 2, token = 3, verdict = 4, stop = 5 };
+/// MPI tags, one a kind of message; `part`: the bytes go on in the next one; `stop`: to oneself.
+enum class Tag : int {
+  steal_request = 1,
+  steal_reply,
+  token,
+  verdict,
+  work_request,
+  work_order,
+  section_request,
+  section_reply,
+  cluster_result,
+  part,
+  stop
+};
+Tag tag_of(const Message& message);
 
-std::vector<std::byte> encode(const StealRequest& request);
-std::vector<std::byte> encode(const StealReply& reply);
-std::vector<std::byte> encode(const Token& token);
-std::vector<std::byte> encode(const Verdict& verdict);
+std::vector<std::byte> encode(const Message& message);
 /// Throws RunError for bytes that are no such message.
 Message decode(Tag tag, std::span<const std::byte> bytes);
 

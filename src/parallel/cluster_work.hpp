@@ -24,6 +24,9 @@ class ClusterWork {
   /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the cluster's part of the
   /// sums.
   virtual IterationSums gather(ClusterId receiver) = 0;
+  /// Brings all that these receivers see into memory at once, and keeps it until the next call. Not
+  /// needed before a gather; a rank whose clusters come by messages is better off with it.
+  virtual void hold(std::span<const ClusterId>) {}
   /// The clusters in this rank's memory, which a thief tells its victim.
   virtual std::vector<ClusterId> resident() const = 0;
   /// MoveToCommonDirectory(S) of figure 2.

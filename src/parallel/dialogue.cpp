@@ -1,5 +1,7 @@
 #include "parallel/dialogue.hpp"
 
+#include "base/error.hpp"
+
 namespace enfilade {
 
 void Dialogue::start(int iteration) {
@@ -20,9 +22,10 @@ void Dialogue::take(Received received) {
     std::get<std::deque<StealReply>>(shelves_).push_back(*answer);
   } else if (auto* token = std::get_if<Token>(&received.message)) {
     std::get<std::deque<Token>>(shelves_).push_back(std::move(*token));
+  } else if (auto* verdict = std::get_if<Verdict>(&received.message)) {
+    std::get<std::deque<Verdict>>(shelves_).push_back(std::move(*verdict));
   } else {
-    std::get<std::deque<Verdict>>(shelves_).push_back(
-        std::move(std::get<Verdict>(received.message)));
+    throw RunError("a message of a scheme with a master came to a rank that has none");
   }
 }
 

@@ -139,6 +139,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   claim_run_directory(run_directory);
   remove_directory(run_directory + "/common");
   remove_directory(run_directory + "/local");
+  remove_directory(run_directory + "/costs");
   keep_scene(p.scene, run_directory + "/scene.json");
   replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));

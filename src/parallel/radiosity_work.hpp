@@ -5,10 +5,11 @@
 
 #include "machine/machine.hpp"
 #include "parallel/cluster_work.hpp"
+#include "parallel/gather_cost.hpp"
 #include "parallel/prepare.hpp"
 #include "radiosity/coarse_correction.hpp"
 #include "radiosity/occluders.hpp"
-#include "store/cluster_store.hpp"
+#include "store/cluster_files.hpp"
 #include "store/manifest.hpp"
 #include "store/resident_clusters.hpp"
 
@@ -20,48 +21,53 @@ struct RadiosityWorkConfig {
   double min_area_m2 = 0.0;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   bool same_on_any_ranks =
-      false;  ///< refine by committed light alone; the paper takes a rank's newest
+      false;            ///< refine by committed light alone; the paper takes a rank's newest
+  bool jacobi = false;  ///< gather committed light alone, always
+  MemoryManager memory_manager = MemoryManager::own;
 };
 
 class RadiosityWork final : public ClusterWork {
  public:
-  RadiosityWork(const Prepared& prepared, const RunLayout& layout, Rank rank, Machine& machine,
-                const RadiosityWorkConfig& config);
+  /// All but `config` must outlive it.
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
+                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
 
-  /// Makes these clusters as they are before the first iteration, and their files.
-  void initialise(std::span<const ClusterId> own);
+  /// Takes in a cluster as it is before the first iteration; its files must be there.
+  void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
   void set_next_use(ResidentClusters::NextUse next_use) {
     resident_.set_next_use(std::move(next_use));
   }
 
   void begin(const IterationPlan& plan, std::span<const double> changes) override;
   IterationSums gather(ClusterId receiver) override;
+  void hold(std::span<const ClusterId> receivers) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
-  void move_to_common() override { store_.move_to_common(); }
+  void move_to_common() override;
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   Correction correct(std::span<const double> coarse) const override;
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
-  /// Longest that coarse() can be, in numbers.
-  std::size_t most_coarse_numbers() const;
-  const StoreCount& store_count() const { return store_.count(); }
-  const ResidencyCount& residency_count() const { return resident_.count(); }
+  ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
+  ResidualConfig sampling(const IterationPlan& plan) const;
   /// In ascending order, itself among them.
   std::vector<ClusterId> visible_to(ClusterId receiver) const;
 
   const Prepared& prepared_;
+  const RunLayout& layout_;
+  ClusterFiles& files_;
   Machine& machine_;
+  CostRecorder& recorder_;
   RadiosityWorkConfig config_;
-  ClusterStore store_;
   ResidentClusters resident_;
   Occluders occluders_;
   GatherConfig gather_config_;
   std::vector<std::uint32_t> group_of_cluster_;
   std::size_t groups_ = 0, bands_ = 1;
+  double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;
 };
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "base/error.hpp"
+#include "parallel/cell_dealer.hpp"
+#include "parallel/dealing.hpp"
+#include "parallel/error_estimate.hpp"
+#include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
-#include "parallel/run_statistics.hpp"
+#include "parallel/run_ranks.hpp"
 #include "parallel/spmd.hpp"
 #include "store/posix_file.hpp"
 
@@ -16,27 +19,6 @@ namespace {
 
 double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig& config, Rank rank,
-                                    int ranks) {
-  const std::vector<Rank> owner = assign_clusters(prepared, config, ranks);
-  std::vector<ClusterId> own;
-  for (std::size_t i = 0; i < owner.size(); ++i) {
-    if (owner[i] == rank) own.emplace_back(i);
-  }
-  return own;
-}
-
-/// Bytes of a cluster as it comes from the disk for the first time, near enough to order a tour by.
-std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis) {
-  std::vector<std::uint64_t> bytes;
-  const auto values =
-      static_cast<std::uint64_t>(prepared.scene.bands) * static_cast<std::uint64_t>(basis);
-  for (const Cluster& cluster : prepared.clusters) {
-    bytes.push_back(256 + cluster.polygons.size() * (320 + 16 * values));
-  }
-  return bytes;
 }
 
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,
@@ -52,20 +34,71 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   return manifest;
 }
 
-/// RUN/common as it is before the first iteration.
-void start_anew(const RunLayout& layout, Communicator& communicator, RadiosityWork& work,
-                std::span<const ClusterId> own) {
+/// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
+/// keeps them in memory where it is going to gather for them.
+void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
+                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
+                std::span<const ClusterId> own, bool keep) {
   communicator.on_root([&] {
-    make_directory(layout.common());
-    remove_manifest(layout);
+    make_directory(store.layout().common());
+    remove_manifest(store.layout());
+    drop_costs(store.layout().run, -1);
   });
-  work.initialise(own);
+  for (const ClusterId id : own) {
+    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    store.write_initial(state);
+    recorder.add_start(state);
+    if (keep) work.adopt(std::move(state));
+  }
+  recorder.write(0);
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+/// All that the loop of a scheme runs on.
+struct Solver {
+  const SolveConfig& config;
+  const Prepared& prepared;
+  Communicator& communicator;
+  Machine& machine;
+  const VisibilityCost& cost;
+  ClusterStore& store;
+  RemoteFiles& remote;
+  RadiosityWork& work;
+
+  std::unique_ptr<Order> order() const {
+    return make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared));
+  }
+  int slaves() const { return communicator.size() - 1; }
+  std::unique_ptr<Dealer> dealer() const {
+    if (config.scheme == Scheme::master_slave)
+      return std::make_unique<GroupDealer>(prepared, slaves(), *order(), cost, config.steal);
+    return std::make_unique<CellDealer>(prepared, slaves(), emitted_powers(prepared), config.seed,
+                                        config.steal);
+  }
+};
+
+/// A rank that is alone has nobody to be the master of.
+bool has_master(const SolveConfig& config, const Communicator& communicator) {
+  return config.scheme != Scheme::spmd && communicator.size() > 1;
+}
+
+IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const IterationPlan& plan,
+                      const std::vector<double>& changes, std::vector<IterationSummary>& history,
+                      const PlanNext& plan_next, const IterationObserver& observer) {
+  const bool correction = s.config.coarse_correction;
+  if (!has_master(s.config, s.communicator)) {
+    TaskList tasks({own.begin(), own.end()}, s.cost, s.order());
+    s.work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
+    return run_spmd(s.work, tasks, s.communicator, s.machine, {s.config.steal, correction}, plan,
+                    changes, history, plan_next, observer);
+  }
+  if (!s.communicator.root())
+    return run_slave(s.work, s.remote, s.communicator, s.machine, correction, plan, changes);
+  Judge judge(s.work, s.machine, correction, history, plan_next, observer);
+  const std::unique_ptr<Dealer> dealer = s.dealer();
+  return Master(s.work, s.store, *dealer, s.communicator, s.machine, judge, correction)
+      .run(plan, changes);
 }
 
 }  // namespace
@@ -86,45 +119,44 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
 
   const std::vector<ClusterId> own =
-      own_clusters(prepared, config, communicator.rank(), communicator.size());
-  const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
-                            memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
-  TaskList tasks(own, cost, config.order, config.seed);
-  RadiosityWork work(
-      prepared, layout, communicator.rank(), machine,
-      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction});
-  work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
-  communicator.limit_message_bytes((std::size_t{1} << 16) + 4 * prepared.clusters.size() +
-                                   8 * work.most_coarse_numbers());
-  if (!manifest) start_anew(layout, communicator, work, own);
+      clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
+  const VisibilityCost cost = tour_cost(prepared, basis, memory);
+  ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
+  RemoteFiles remote(communicator, machine);
+  const bool slave = has_master(config, communicator) && !communicator.root();
+  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
+  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+                     recorder,
+                     {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
+                      config.jacobi, config.memory_manager});
+  if (manifest) {
+    communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
+  } else {
+    start_anew(prepared, basis, store, communicator, work, recorder, own,
+               !has_master(config, communicator));
+  }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
-  const PlanConfig plan_config{.emitted_power = worst_band(emitted),
+  const PlanConfig plan_config{.emitted_power = emitted,
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
-  communicator.barrier();
-
-  const double start_s = machine.now_s();
-  const TimeUse before = machine.time_use();
-  const IterationPlan last = run_spmd(
-      work, tasks, communicator, machine, {config.steal, config.coarse_correction}, plan,
-      manifest ? manifest->correction : std::vector<double>{}, history,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
-      observer);
-
-  const TimeUse after = machine.time_use();
-  const RankStatistics mine{
-      {after.compute_s - before.compute_s, after.io_s - before.io_s, after.idle_s - before.idle_s},
-      machine.now_s() - start_s,
-      work.store_count(),
-      work.residency_count(),
-      communicator.sent()};
-  RunRecord record =
-      gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
+  const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
+    return iterate(
+        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
+        manifest ? manifest->correction : std::vector<double>{}, so_far,
+        [&](std::vector<IterationSummary>& done) {
+          done.back().error = estimate_error(done, emitted);
+          return next_plan(done, plan_config);
+        },
+        observer);
+  };
+  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+                                [&] { return std::pair(store.count(), work.residency_count()); }},
+                               communicator, machine, iterate_all);
   if (communicator.root()) {
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));

@@ -11,8 +11,10 @@
 #include "machine/machine.hpp"
 #include "parallel/iteration_plan.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/scheme.hpp"
 #include "radiosity/cluster_state.hpp"
-#include "tour/tour.hpp"
+#include "store/placement.hpp"
+#include "tour/order.hpp"
 
 namespace enfilade {
 
@@ -25,12 +27,15 @@ struct SolveConfig {
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
+  MemoryManager memory_manager = MemoryManager::own;
   std::uint64_t seed = 1;
-  AssignmentMethod assignment = AssignmentMethod::kmeans;
+  Scheme scheme = Scheme::spmd;
+  AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< spmd's
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
-  bool resume = false;            ///< go on from the last committed iteration
+  bool jacobi = false;  ///< every gather takes the last iteration's light, a rank's own included
+  bool resume = false;  ///< go on from the last committed iteration
   int max_iterations = 200;
   int max_depth = 20;  ///< of refinement, see GatherConfig
   double min_area_m2 = 0.0;

@@ -1,11 +1,10 @@
 // ParallelRadiosity(S) of figure 2: the loop that every rank runs.
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "parallel/cluster_work.hpp"
 #include "parallel/dialogue.hpp"
+#include "parallel/judge.hpp"
 #include "parallel/task_list.hpp"
 
 namespace enfilade {
@@ -14,11 +13,6 @@ struct SpmdConfig {
   bool steal = true;
   bool coarse_correction = true;  ///< false: the paper's iteration as it is
 };
-
-/// On rank 0, with the sums of all ranks of an iteration: what follows.
-using PlanNext = std::function<IterationPlan(const std::vector<IterationSummary>& history)>;
-/// On rank 0, after each committed iteration.
-using SummaryObserver = std::function<void(const IterationSummary&)>;
 
 /// Runs iterations from `plan` on until one is the last. `offsets` corrects the light that it
 /// starts from (a resumed run; else empty). `history` holds what came before (on rank 0; empty for

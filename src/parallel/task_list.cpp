@@ -8,17 +8,20 @@ namespace {
 constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
 }
 
-TaskList::TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, TourOrder order,
-                   std::uint64_t seed)
-    : cost_(&cost), seed_(seed), cycle_(std::move(own), cost, order, seed) {
+TaskList::TaskList(std::vector<ClusterId> own, const VisibilityCost& cost,
+                   std::unique_ptr<Order> order)
+    : cost_(&cost),
+      order_(std::move(order)),
+      cycle_(order_->arrange(std::move(own), cost), cost),
+      turns_(cycle_.order()) {
   number();
-  done_ = cycle_.order().size();  // nothing to do before the first start()
+  done_ = turns_.size();  // nothing to do before the first start()
 }
 
 void TaskList::number() {
   place_.assign(cost_->graph().size(), nowhere);
-  for (std::size_t i = 0; i < cycle_.order().size(); ++i) {
-    place_[cycle_.order()[i].index()] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
+    place_[turns_[i].index()] = static_cast<std::uint32_t>(i);
   }
 }
 
@@ -43,35 +46,40 @@ void TaskList::start() {
     std::vector<ClusterId> order = cycle_.order();
     for (const ClusterId cluster : adopted_) insert(cluster, order);
     adopted_.clear();
-    cycle_ = Cycle(std::move(order), *cost_, TourOrder::input, seed_);
-    number();
+    cycle_ = Cycle(std::move(order), *cost_);
   }
+  turns_ = cycle_.order();
+  number();
   done_ = 0;
 }
 
 std::optional<ClusterId> TaskList::next() {
   if (waiting() == 0) return std::nullopt;
-  return cycle_.order()[done_++];
+  const std::size_t chosen = done_ + order_->choose(std::span(turns_).subspan(done_));
+  std::swap(turns_[done_], turns_[chosen]);
+  std::swap(place_[turns_[done_].index()], place_[turns_[chosen].index()]);
+  return turns_[done_++];
 }
 
 std::optional<ClusterId> TaskList::give(std::span<const ClusterId> resident) {
   if (waiting() == 0) return std::nullopt;
   ClusterId cheapest;
   auto least = std::numeric_limits<std::uint64_t>::max();
-  for (std::size_t i = done_; i < cycle_.order().size(); ++i) {
-    const std::uint64_t bytes = cost_->given(resident, cycle_.order()[i]);
+  for (std::size_t i = done_; i < turns_.size(); ++i) {
+    const std::uint64_t bytes = cost_->given(resident, turns_[i]);
     if (bytes <= least) {
       least = bytes;
-      cheapest = cycle_.order()[i];
+      cheapest = turns_[i];
     }
   }
   cycle_.remove(cheapest, *cost_);
+  std::erase(turns_, cheapest);
   number();
   return cheapest;
 }
 
 std::uint64_t TaskList::next_use(ClusterId cluster, bool links) const {
-  const std::uint64_t round = cycle_.order().size();
+  const std::uint64_t round = turns_.size();
   std::uint64_t soonest = 2 * round + 1;  // never, as far as CYCLE tells
   const auto consider = [&](std::uint32_t place) {
     if (place == nowhere) return;

@@ -3,20 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "base/ids.hpp"
-#include "tour/tour.hpp"
+#include "tour/order.hpp"
 
 namespace enfilade {
 
 class TaskList {
  public:
   /// `cost` must outlive the list.
-  TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, TourOrder order,
-           std::uint64_t seed);
+  TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, std::unique_ptr<Order> order);
 
   /// A new iteration: CYCLE from its start, with what was adopted in the last one put where it
   /// costs least.
@@ -29,8 +29,12 @@ class TaskList {
   std::optional<ClusterId> give(std::span<const ClusterId> resident);
   /// S = S + C of figure 2: a stolen cluster is this rank's from now on.
   void adopt(ClusterId cluster) { adopted_.push_back(cluster); }
+  /// What a gather of this rank did to the receiver's light; the order may look at it.
+  void gathered(ClusterId receiver, double change_power) {
+    order_->gathered(receiver, change_power);
+  }
 
-  std::size_t waiting() const { return cycle_.order().size() - done_; }
+  std::size_t waiting() const { return turns_.size() - done_; }
   const Cycle& cycle() const { return cycle_; }
   /// Turns from now until a cluster (or its links) is used again, going round CYCLE.
   std::uint64_t next_use(ClusterId cluster, bool links) const;
@@ -40,10 +44,11 @@ class TaskList {
   void number();
 
   const VisibilityCost* cost_;
-  std::uint64_t seed_;
+  std::unique_ptr<Order> order_;
   Cycle cycle_;
+  std::vector<ClusterId> turns_;  ///< of this iteration: CYCLE, or what the order made of it so far
   std::vector<ClusterId> adopted_;
-  std::vector<std::uint32_t> place_;  ///< in CYCLE, by cluster; none for others' clusters
+  std::vector<std::uint32_t> place_;  ///< among the turns, by cluster; none for others' clusters
   std::size_t done_ = 0;
 };
 

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "machine/machine.hpp"
+#include "store/cluster_files.hpp"
 #include "store/run_layout.hpp"
-#include "store/section_file.hpp"
+#include "store/section_shelf.hpp"
 
 namespace enfilade {
 
@@ -22,36 +24,30 @@ struct StoreCount {
 /// those that this rank has gathered already, from its local directory. Iteration k moves into the
 /// slot that k-1 does not use; only the manifest makes it the committed one. So a crash at any
 /// moment leaves k-1 whole.
-class ClusterStore {
+class ClusterStore final : public ClusterFiles {
  public:
   /// Makes the rank's local directory, empty; it goes with the store.
-  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
-  ~ClusterStore();
+  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine,
+               std::unique_ptr<SectionShelf> shelf = std::make_unique<FileShelf>());
+  ~ClusterStore() override;
   ClusterStore(const ClusterStore&) = delete;
   ClusterStore& operator=(const ClusterStore&) = delete;
 
   /// Writes a cluster as the state before the first iteration, straight into the common directory.
   /// That is the end of the preparation, not part of the run: it is neither charged nor counted.
   void write_initial(const ClusterState& state);
-  /// From now on `iteration` is the committed one.
-  void set_committed(int iteration) { committed_ = iteration; }
-  int committed() const { return committed_; }
+  void set_committed(int iteration) override { committed_ = iteration; }
+  int committed() const override { return committed_; }
 
-  SectionFile read_geometry(ClusterId id);
-  /// The newest patches that this rank may see.
-  SectionFile read_patches(ClusterId id);
-  /// As the last iteration committed them, whatever this rank has written since.
-  SectionFile read_committed_patches(ClusterId id);
-  /// The links that go with them; read_patches() or write() of this cluster must have come before.
-  SectionFile read_links(ClusterId id);
-
-  /// Into the local directory; `links` empty = as they were.
+  SectionFile read_geometry(ClusterId id) override;
+  SectionFile read_patches(ClusterId id) override;
+  SectionFile read_committed_patches(ClusterId id) override;
+  SectionFile read_links(ClusterId id) override;
   void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
-             std::span<const std::byte> links, const RecordCount& links_count);
+             std::span<const std::byte> links, const RecordCount& links_count) override;
   /// Has this rank gathered for the cluster in this iteration?
-  bool written(ClusterId id) const { return local_.contains(id); }
-  /// MoveToCommonDirectory of figure 2: all that was written in this iteration.
-  void move_to_common();
+  bool written(ClusterId id) const override { return local_.contains(id); }
+  void move_to_common() override;
 
   const StoreCount& count() const { return count_; }
   const RunLayout& layout() const { return layout_; }
@@ -61,7 +57,8 @@ class ClusterStore {
     bool links = false;  ///< its links were written as well
     std::uint64_t patches_bytes = 0, links_bytes = 0;
   };
-  SectionFile read(Disk disk, const std::string& path, ClusterId id, Section section);
+  SectionFile read(Disk disk, const std::string& path, ClusterId id, Section section,
+                   int iteration);
   std::uint64_t put(Disk disk, const std::string& path, const SectionInfo& info,
                     std::span<const std::byte> bytes);
   Slot committed_slot() const { return committed_ % 2 == 0 ? Slot::a : Slot::b; }
@@ -69,6 +66,7 @@ class ClusterStore {
   RunLayout layout_;
   std::string local_directory_;
   Machine& machine_;
+  std::unique_ptr<SectionShelf> shelf_;
   int committed_ = 0;
   std::vector<Slot> links_slot_;      ///< of the newest links, by cluster
   std::map<ClusterId, Local> local_;  ///< what was written in this iteration

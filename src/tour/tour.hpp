@@ -49,20 +49,15 @@ class VisibilityCost {
   std::vector<std::uint64_t> needed_;
 };
 
-/// The paper's tour, and orders that it must beat.
-enum class TourOrder { travelling_salesman, greedy, random, input };
-/// Throws InputError for a name that is none of travelling-salesman, greedy, random, input.
-TourOrder tour_order(const std::string& name);
+/// Bytes of a closed tour.
+std::uint64_t cost_of_round(const std::vector<ClusterId>& order, const VisibilityCost& cost);
 
 /// CYCLE: a closed tour through a rank's clusters, traversed once an iteration.
 class Cycle {
  public:
   Cycle() = default;
-  /// Asymmetric travelling salesman: nearest neighbour, then Or-opt and 3-opt segment moves. The
-  /// number of moves tried is bounded by the number of clusters, not by a clock, so that the tour
-  /// repeats.
-  Cycle(std::vector<ClusterId> clusters, const VisibilityCost& cost, TourOrder order,
-        std::uint64_t seed);
+  /// As an Order (tour/order.hpp) has arranged the clusters.
+  Cycle(std::vector<ClusterId> order, const VisibilityCost& cost);
 
   const std::vector<ClusterId>& order() const { return order_; }
   /// Bytes of one round. A cycle of one cluster costs what of it does not stay in memory.

@@ -38,7 +38,8 @@ struct Run {
       : system(blocks, block_size, 0.8, 42),
         layout(context.directory),
         cost(system.graph, std::vector<std::uint64_t>(blocks, 100), 1 << 30),
-        tasks(own_blocks(system, context.communicator), cost, TourOrder::travelling_salesman, 1),
+        tasks(own_blocks(system, context.communicator), cost,
+              make_order(TourOrder::travelling_salesman, 1, system.graph)),
         work(system, layout, context.communicator.rank(), context.machine, std::move(labour)) {
     const std::optional<Manifest> manifest =
         context.resume ? read_manifest(layout) : std::optional<Manifest>{};

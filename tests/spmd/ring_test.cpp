@@ -10,7 +10,7 @@ namespace {
 struct Idle {
   ClusterGraph graph{1, {}};
   VisibilityCost cost{graph, {1}, 1};
-  TaskList tasks{{}, cost, TourOrder::input, 1};
+  TaskList tasks{{}, cost, make_order(TourOrder::input, 1, graph)};
 };
 
 }  // namespace
@@ -53,6 +53,31 @@ void ring_with_one_late_rank(Context& context) {
   go_round(c, context.machine, dialogue, Token{}, [](const Token&) { return Verdict{}; });
   SPMD_CHECK(context.machine.now_s() >= start_s + 0.95 * late_s,
              std::to_string(context.machine.now_s()));
+}
+
+void long_message(Context& context) {
+  // Longer than an inbox, from all to rank 0 at once, between short ones: whole, and in order.
+  Communicator& c = context.communicator;
+  constexpr std::size_t numbers = 400'000;
+  const double rank = c.rank().value;
+  c.send(Rank{0}, Token{{rank}, {}, {}});
+  c.send(Rank{0}, Token{{rank}, std::vector<double>(numbers, rank + 0.5), {}});
+  c.send(Rank{0}, Token{{rank}, {1.0}, {}});
+  if (c.root()) {
+    std::vector<std::size_t> seen(static_cast<std::size_t>(c.size()), 0);
+    for (int i = 0; i < 3 * c.size(); ++i) {
+      const Received received = c.receive(context.machine);
+      const Token& token = std::get<Token>(received.message);
+      std::size_t& turn = seen[static_cast<std::size_t>(received.from.value)];
+      const std::size_t expected = turn == 0 ? 0 : turn == 1 ? numbers : 1;
+      SPMD_CHECK(token.sums.size() == expected, std::to_string(token.sums.size()));
+      SPMD_CHECK(token.maxima.at(0) == received.from.value, "from another rank than it says");
+      if (turn == 1) SPMD_CHECK(token.sums.back() == received.from.value + 0.5, "cut or mixed up");
+      ++turn;
+    }
+  }
+  c.finish_sends();
+  c.barrier();
 }
 
 }  // namespace enfilade::spmd_tests

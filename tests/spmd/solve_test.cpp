@@ -1,9 +1,11 @@
 // The whole solve on a furnace: every surface sends out (1 - reflectance) H, so that E = B = H
 // everywhere. Two rooms joined by a door, a crate in one of them.
 #include <filesystem>
+#include <iostream>
 
 #include "check.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/replay.hpp"
 #include "parallel/solve.hpp"
 #include "scene/scene_io.hpp"
 #include "store/manifest.hpp"
@@ -50,11 +52,12 @@ Scene furnace() {
   return scene;
 }
 
-/// The furnace, prepared in RUN.
+/// The furnace, prepared in RUN; with --resume, what is there stays.
 Prepared prepared_furnace(Context& context, const std::string& run) {
   const std::string scene_file = context.directory + "/furnace.json";
+  context.communicator.barrier();  // a solve before has left its local directories on every rank
   context.communicator.on_root([&] {
-    std::filesystem::remove_all(run);
+    if (!context.resume) std::filesystem::remove_all(run);
     write_scene(furnace(), scene_file);
   });
   Warnings warnings;
@@ -79,38 +82,116 @@ std::vector<double> radiosities(const std::string& run) {
 
 namespace {
 
-void solve_rooms_with(Context& context, bool coarse_correction) {
+/// How far the light in RUN is off, as a share.
+double error_of(const std::string& run) {
+  double area = 0.0, wrong = 0.0;
+  for (const ClusterState& state : read_solution(run)) {
+    const PatchForest& forest = state.patches();
+    for (std::size_t i = 0; i < forest.size(); ++i) {
+      if (!forest.node(i).leaf()) continue;
+      area += forest.node(i).shape.area_m2;
+      wrong += forest.node(i).shape.area_m2 * std::abs(forest.radiosity(i)[0] / level - 1.0);
+    }
+  }
+  return wrong / area;
+}
+
+/// Solves the furnace as `config` has it; the record on rank 0.
+RunRecord solve_furnace(Context& context, SolveConfig config) {
   const std::string run = context.directory + "/RUN";
   const Prepared prepared = prepared_furnace(context, run);
-  SolveConfig config;
   config.run_directory = run;
   config.target_error = 0.05;
-  config.coarse_correction = coarse_correction;
+  config.resume = context.resume;
   int seen = 0;
-  const RunRecord record = solve(config, prepared, context.communicator, context.machine,
-                                 [&](const IterationSummary&) { ++seen; });
+  RunRecord record = solve(config, prepared, context.communicator, context.machine,
+                           [&](const IterationSummary&) { ++seen; });
   context.communicator.on_root([&] {
-    SPMD_CHECK(record.number("iterations", 0) == seen && seen > 1,
-               std::to_string(seen) + " iterations seen");
-    SPMD_CHECK(record.number("ranks", 0) == context.communicator.size(), "ranks");
-    SPMD_CHECK(record.number("bytes_written", 0) > 0, "bytes_written");
-    double area = 0.0, wrong = 0.0;
-    for (const ClusterState& state : read_solution(run)) {
-      const PatchForest& forest = state.patches();
-      for (std::size_t i = 0; i < forest.size(); ++i) {
-        if (!forest.node(i).leaf()) continue;
-        area += forest.node(i).shape.area_m2;
-        wrong += forest.node(i).shape.area_m2 * std::abs(forest.radiosity(i)[0] / level - 1.0);
-      }
+    const double iterations = record.number("iterations", 0);
+    if (context.resume) {
+      SPMD_CHECK(iterations >= seen, std::to_string(seen) + " iterations seen");
+    } else {
+      SPMD_CHECK(iterations == seen && seen > 1, std::to_string(seen) + " iterations seen");
+      SPMD_CHECK(record.number("bytes_written", 0) > 0, "bytes_written");
     }
-    SPMD_CHECK(wrong / area < 0.05, std::to_string(wrong / area));
+    SPMD_CHECK(record.number("ranks", 0) == context.communicator.size(), "ranks");
+    SPMD_CHECK(error_of(run) < 0.05, std::to_string(error_of(run)));
+  });
+  return record;
+}
+
+/// For a run that is killed and goes on: as many iterations as it takes to stand still.
+void solve_to_the_end(Context& context, Scheme scheme) {
+  SolveConfig config;
+  config.scheme = scheme;
+  config.coarse_correction = false;
+  config.tolerance = 1e-9;
+  const RunRecord record = solve_furnace(context, config);
+  context.communicator.on_root([&] {
+    std::cout << "ended after iteration " << record.number("iterations", 0) << std::endl;
+  });
+}
+
+/// Alone, a rank has nobody to send to; else the clusters go by messages, and rank 0 alone has
+/// files.
+void solve_rooms_with_a_master(Context& context, Scheme scheme) {
+  SolveConfig config;
+  config.scheme = scheme;
+  solve_furnace(context, config);
+  config.coarse_correction = false;  // whose numbers are by far the longest of spmd's messages
+  const RunRecord dealt = solve_furnace(context, config);
+  config.steal = false;
+  const RunRecord planned = solve_furnace(context, config);
+  config = SolveConfig{};
+  config.coarse_correction = false;
+  const RunRecord spmd = solve_furnace(context, config);
+  context.communicator.on_root([&] {
+    SPMD_CHECK(planned.number("steals", 1) == 0, "stolen though told not to");
+    if (context.communicator.size() == 1) return;
+    const double sent = dealt.number("message_bytes", 0), few = spmd.number("message_bytes", 0);
+    SPMD_CHECK(sent > 10.0 * few, std::to_string(sent) + " and " + std::to_string(few));
+    const double clusters = spmd.number("clusters", 0), rounds = dealt.number("iterations", 0);
+    SPMD_CHECK(dealt.number("messages", 0) > clusters * rounds, "a result of each gather");
   });
 }
 
 }  // namespace
 
-void solve_rooms(Context& context) { solve_rooms_with(context, true); }
-void solve_rooms_as_in_the_paper(Context& context) { solve_rooms_with(context, false); }
+void solve_rooms(Context& context) { solve_furnace(context, {}); }
+
+void solve_rooms_as_in_the_paper(Context& context) {
+  SolveConfig config;
+  config.coarse_correction = false;
+  solve_furnace(context, config);
+}
+
+void solve_rooms_master_slave(Context& context) {
+  solve_rooms_with_a_master(context, Scheme::master_slave);
+}
+
+void solve_rooms_replicated(Context& context) {
+  solve_rooms_with_a_master(context, Scheme::replicated);
+}
+
+void solve_to_the_end_spmd(Context& context) { solve_to_the_end(context, Scheme::spmd); }
+void solve_to_the_end_master_slave(Context& context) {
+  solve_to_the_end(context, Scheme::master_slave);
+}
+void solve_to_the_end_replicated(Context& context) {
+  solve_to_the_end(context, Scheme::replicated);
+}
+
+void solve_rooms_by_jacobi(Context& context) {
+  SolveConfig config;
+  config.coarse_correction = false;
+  config.tolerance = 1e-6;
+  const double seidel = solve_furnace(context, config).number("iterations", 0);
+  config.jacobi = true;
+  const double jacobi = solve_furnace(context, config).number("iterations", 0);
+  context.communicator.on_root([&] {
+    SPMD_CHECK(jacobi > seidel, std::to_string(jacobi) + " iterations, " + std::to_string(seidel));
+  });
+}
 
 void solve_in_little_memory(Context& context) {
   // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and
@@ -141,6 +222,33 @@ void solve_in_little_memory(Context& context) {
         peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
         "more in memory than the run owns up to");
   });
+}
+
+/// A replay goes through the same moves as the run that it was recorded from: with little memory
+/// and with much, with the coarse correction and without.
+void replay_rooms(Context& context) {
+  for (const bool little : {false, true}) {
+    const std::string run = context.directory + (little ? "/LITTLE" : "/RUN");
+    const Prepared prepared = prepared_furnace(context, run);
+    SolveConfig config;
+    config.run_directory = run;
+    config.target_error = 0.1;
+    config.coarse_correction = !little;
+    config.memory_bytes = little ? 60'000 : 0;
+    const RunRecord solved = solve(config, prepared, context.communicator, context.machine);
+    config.run_directory = context.directory + "/REPLAYED";
+    const RunRecord again = replay(run, config, context.communicator, context.machine);
+    context.communicator.on_root([&] {
+      const double full_s = solved.number("simulated_s", 0),
+                   replayed_s = again.number("simulated_s", 0);
+      SPMD_CHECK(full_s > 0.0 && std::abs(replayed_s / full_s - 1.0) < 1e-3,
+                 std::to_string(full_s) + " s, replayed " + std::to_string(replayed_s) + " s");
+      for (const char* key : {"bytes_read", "bytes_written", "messages", "message_bytes", "steals",
+                              "links", "rays", "peak_cluster_bytes"}) {
+        SPMD_CHECK(solved.number(key, -1) == again.number(key, -2), key);
+      }
+    });
+  }
 }
 
 }  // namespace enfilade::spmd_tests

@@ -20,6 +20,8 @@ TEST(SolveOptions, DefaultsAreTheSolversOwn) {
   EXPECT_EQ(config.assignment, expected.assignment);
   EXPECT_EQ(config.order, expected.order);
   EXPECT_EQ(config.steal, expected.steal);
+  EXPECT_EQ(config.jacobi, expected.jacobi);
+  EXPECT_EQ(config.scheme, expected.scheme);
   EXPECT_EQ(config.coarse_correction, expected.coarse_correction);
   EXPECT_EQ(config.memory_bytes, 0u);
 }
@@ -31,13 +33,19 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.memory = "1.5M";
   options.basis = "constant";
   options.assignment = "round-robin";
-  options.order = "input";
+  options.order = "backtracking";
+  options.scheme = "replicated";
+  options.memory_manager = "malloc";
+  options.iteration = "jacobi";
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
   EXPECT_EQ(config.memory_bytes, 3u << 19);
   EXPECT_EQ(config.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
-  EXPECT_EQ(config.order, TourOrder::input);
+  EXPECT_EQ(config.order, TourOrder::backtracking);
+  EXPECT_EQ(config.scheme, Scheme::replicated);
+  EXPECT_EQ(config.memory_manager, MemoryManager::malloc);
+  EXPECT_TRUE(config.jacobi);
   EXPECT_FALSE(config.steal);
   EXPECT_FALSE(config.coarse_correction);
   EXPECT_TRUE(config.resume);
@@ -62,6 +70,26 @@ TEST(SolveOptions, BadMemoryIsRefusedByName) {
   options.input = "scene.json";
   options.output = "run";
   options.memory = "a lot";
+  EXPECT_THROW(options.config(), InputError);
+}
+
+TEST(SolveOptions, AReplayTakesTheRunInPlaceOfAScene) {
+  SolveOptions options;
+  options.replay = "recorded";
+  options.output = "run";
+  EXPECT_EQ(options.config().run_directory, "run");
+  options.output.clear();
+  EXPECT_THROW(options.config(), InputError);
+  options.output = "run";
+  options.resume = true;
+  EXPECT_THROW(options.config(), InputError);
+  options.resume = false;
+  options.scheme = "replicated";
+  EXPECT_THROW(options.config(), InputError);
+  options.scheme = "spmd";
+  options.input = "scene.json";
+  EXPECT_THROW(options.config(), InputError);
+  options.input = options.replay = "";
   EXPECT_THROW(options.config(), InputError);
 }
 

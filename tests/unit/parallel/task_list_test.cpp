@@ -26,7 +26,7 @@ std::vector<ClusterId> ids(std::initializer_list<std::uint32_t> values) {
 struct TaskListTest : testing::Test {
   ClusterGraph graph = chain(12);
   VisibilityCost cost{graph, std::vector<std::uint64_t>(12, 100), 1 << 20};
-  TaskList tasks{ids({0, 1, 2, 3, 4, 5}), cost, TourOrder::input, 1};
+  TaskList tasks{ids({0, 1, 2, 3, 4, 5}), cost, make_order(TourOrder::input, 1, graph)};
 };
 
 TEST_F(TaskListTest, HasNothingToDoBeforeItStarts) {
@@ -69,6 +69,24 @@ TEST_F(TaskListTest, KeepsWhatItStoleWhereItFitsBest) {
   const auto six = std::find(order.begin(), order.end(), ClusterId(6u)) - order.begin();
   const auto five = std::find(order.begin(), order.end(), ClusterId(5u)) - order.begin();
   EXPECT_EQ(std::abs(six - five), 1) << "6 sees 5: between its neighbours it loads least";
+}
+
+TEST_F(TaskListTest, TakesTheTurnThatTheOrderChooses) {
+  std::vector<double> emitted(12, 0.0);
+  emitted[5] = 10.0;
+  TaskList lit(ids({0, 1, 2, 3, 4, 5}), cost,
+               make_order(TourOrder::unshot_energy, 1, graph, emitted));
+  lit.start();
+  EXPECT_EQ(lit.next(), ClusterId(4u)) << "4 and 5 see the lamp; of equals the first";
+  lit.gathered(ClusterId(4u), 3.0);
+  EXPECT_EQ(lit.next(), ClusterId(5u));
+  lit.gathered(ClusterId(5u), 1.0);
+  EXPECT_EQ(lit.next(), ClusterId(3u)) << "3 sees what 4 received";
+  lit.gathered(ClusterId(3u), 1.0);
+  EXPECT_EQ(lit.give(ids({0})), ClusterId(0u));
+  std::vector<ClusterId> rest;
+  while (const auto c = lit.next()) rest.push_back(*c);
+  EXPECT_EQ(rest, ids({2, 1})) << "each once, and what was given is gone";
 }
 
 TEST_F(TaskListTest, KnowsWhenAClusterIsUsedNext) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "rooms.hpp"
+#include "store/cluster_store.hpp"
 
 namespace enfilade {
 namespace {
@@ -22,9 +23,9 @@ struct ResidentClustersTest : testing::Test {
   ResidentClustersTest() {
     for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
   }
-  /// Bytes that one of the clusters takes.
+  /// Bytes that one of the clusters takes where there is a budget.
   std::uint64_t size() {
-    ResidentClusters one(store, machine, 0);
+    ResidentClusters one(store, machine, 1 << 30);
     one.pin_shooter(id(0));
     return one.bytes();
   }
@@ -108,6 +109,21 @@ TEST_F(ResidentClustersTest, TheReceiverAndTheShooterAtHandStayWhateverTheBudget
   }
   EXPECT_EQ(first.id(), id(0));
   resident.unpin();
+  EXPECT_TRUE(resident.resident().empty());
+}
+
+TEST_F(ResidentClustersTest, WhatIsHeldStaysUntilSomethingElseIs) {
+  ResidentClusters resident(store, machine, 1);
+  resident.hold({id(4), id(1), id(4)});
+  EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(1), id(4)}));
+  resident.pin_receiver(id(0));
+  resident.pin_shooter(id(1));
+  resident.unpin();
+  EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(1), id(4)}));
+  EXPECT_EQ(resident.count().hits, 1u) << "what is held is not read again";
+  resident.hold({id(1), id(2)});
+  EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(1), id(2)}));
+  resident.hold({});
   EXPECT_TRUE(resident.resident().empty());
 }
 

@@ -1,0 +1,44 @@
+#include "parallel/judge.hpp"
+
+#include "parallel/ring.hpp"
+
+namespace enfilade {
+
+Judge::Judge(ClusterWork& work, Machine& machine, bool coarse_correction,
+             std::vector<IterationSummary>& history, const PlanNext& plan_next,
+             const SummaryObserver& observer)
+    : work_(work),
+      machine_(machine),
+      coarse_correction_(coarse_correction),
+      history_(history),
+      plan_next_(plan_next),
+      observer_(observer),
+      start_s_(machine.now_s()) {}
+
+Verdict Judge::decide(const IterationPlan& plan, const Token& token) {
+  IterationSummary summary;
+  summary.plan = plan;
+  summary.sums = sums_from(token);
+  summary.time_s = machine_.now_s() - start_s_;
+  const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
+  summary.missing_power = correction.missing_power;
+  history_.push_back(summary);
+  const IterationPlan next = plan_next_(history_);
+  work_.commit(history_, correction.changes, next.finished);
+  if (observer_) observer_(history_.back());
+  return {next.finished ? -1.0 : history_.back().sums.max_change, to_numbers(next),
+          correction.changes};
+}
+
+Token own_token(const ClusterWork& work, const IterationSums& sums, bool coarse_correction) {
+  Token own = to_token(sums);
+  if (coarse_correction) own.coarse = work.coarse();
+  return own;
+}
+
+void add_token(const ClusterWork& work, Token& token, const Token& own, bool coarse_correction) {
+  fold(token, own);
+  if (coarse_correction) token.coarse = work.merge(token.coarse, own.coarse);
+}
+
+}  // namespace enfilade
