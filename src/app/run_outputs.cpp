@@ -47,11 +47,7 @@ RunRecord record_of(const IterationSummary& summary) {
 
 void write_records(const std::string& run, const RunRecords& records) {
   write_stats(records.stats, run + "stats.json");
-  std::string rows;
-  for (const IterationSummary& summary : records.history) {
-    rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
-  }
-  write_file_atomically(run + "history.json", "[" + rows + "]\n");
+  write_file_atomically(run + "history.json", history_json(records.history));
   write_file_atomically(run + "warnings.json",
                         nlohmann::json(records.warnings.summary()).dump(1) + "\n");
   std::vector<int> ranks;
@@ -75,6 +71,14 @@ std::string file_name_of(const std::string& caption) {
 
 }  // namespace
 
+std::string history_json(std::span<const IterationSummary> history) {
+  std::string rows;
+  for (const IterationSummary& summary : history) {
+    rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
+  }
+  return "[" + rows + "]\n";
+}
+
 RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
                       const Progress& progress) {
   RunPage page = read_run_page(run_directory);
@@ -89,7 +93,7 @@ void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name :
        {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-        "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
+        "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }

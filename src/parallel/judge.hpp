@@ -10,7 +10,8 @@
 
 namespace enfilade {
 
-/// With the summaries of all iterations so far: sets the error of the last, and says what follows.
+/// With the sums of all ranks of an iteration as the last of `history`: sets its error, and says
+/// what follows.
 using PlanNext = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 /// After each committed iteration.
 using SummaryObserver = std::function<void(const IterationSummary&)>;

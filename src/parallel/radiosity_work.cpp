@@ -10,14 +10,28 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
   return most == group_of_cluster.end() ? 0 : *most + 1;
 }
 
+/// The groups in a row of the coarse system, each once.
+std::vector<std::uint32_t> coupled_groups(const CoarseRow& row,
+                                          std::span<const std::uint32_t> group_of_cluster) {
+  std::vector<std::uint32_t> groups;
+  for (const CoarseRow::Entry& entry : row.entries) {
+    groups.push_back(group_of_cluster[entry.shooter.index()]);
+  }
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  return groups;
+}
+
 }  // namespace
 
 RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                             Machine& machine, const RadiosityWorkConfig& config)
+                             Machine& machine, CostRecorder& recorder,
+                             const RadiosityWorkConfig& config)
     : prepared_(prepared),
       layout_(layout),
       files_(files),
       machine_(machine),
+      recorder_(recorder),
       config_(config),
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
@@ -88,7 +102,7 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
       prepared_.scene.lights, occluders_, gather_config_);
   machine_.compute(result.work);
   coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
-  resident_.write_receiver(receiver);
+  const WrittenReceiver written = resident_.write_receiver(receiver);
 
   IterationSums sums;
   sums.max_change = result.max_change;
@@ -105,7 +119,14 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.patches = state.patches().size();
   sums.links = state.links().size();
   resident_.unpin();
+  recorder_.add({receiver, sums, written.patches, written.links,
+                 coupled_groups(result.coarse, group_of_cluster_)});
   return sums;
+}
+
+void RadiosityWork::move_to_common() {
+  files_.move_to_common();
+  recorder_.write(files_.committed() + 1);
 }
 
 std::vector<double> RadiosityWork::merge(std::span<const double> a,
