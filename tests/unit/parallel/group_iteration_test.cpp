@@ -78,7 +78,7 @@ double spectral_radius(const Tiles& tiles, std::span<const Rank> owner) {
   const std::size_t n = tiles.n;
   std::vector<double> x(n, 1.0);
   double radius = 0.0;
-  for (int power = 0; power < 3000; ++power) {
+  for (int power = 0; power < 300; ++power) {
     std::vector<double> next(n, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
