@@ -8,6 +8,7 @@ namespace {
 
 // Of the largest coordinate: a few of a double's steps, as points on polygons are computed.
 constexpr double rounding_relative = 4e-15;
+constexpr double flat_relative = 1e-8;  // of the diagonal
 
 }  // namespace
 
@@ -15,6 +16,7 @@ ExactSight::ExactSight(std::span<const Polygon> polygons) {
   Box box;
   for (const Polygon& polygon : polygons) box.add(bounds(polygon));
   const Vec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  flat_m_ = flat_relative * box.diagonal();
   rounding_m_ = rounding_relative * std::max({largest.x, largest.y, largest.z, box.diagonal()});
   std::vector<Box> boxes;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {

@@ -20,8 +20,9 @@ class ExactSight {
   /// plane of a polygon, to rounding, is not behind it.
   bool open(const Vec3& a, const Vec3& b, std::uint32_t of_a, std::uint32_t of_b) const;
 
-  /// Points this close to a plane are in it.
-  double rounding_m() const { return rounding_m_; }
+  /// Ends this close to the other's plane lie in it: files give coordinates to so much, and
+  /// polygons of one wall exchange no light along it.
+  double flat_m() const { return flat_m_; }
 
  private:
   /// What is not flat blocks as a fan of triangles.
@@ -34,7 +35,7 @@ class ExactSight {
 
   std::vector<Part> parts_;
   std::unique_ptr<BoxTree> tree_;
-  double rounding_m_ = 0.0;
+  double rounding_m_ = 0.0, flat_m_ = 0.0;
 };
 
 }  // namespace enfilade::bench

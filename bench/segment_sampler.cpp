@@ -76,8 +76,8 @@ Pair SegmentSampler::of_seeing_cells() {
 bool SegmentSampler::draw(std::uint32_t from, std::uint32_t to, Segment& segment) {
   segment = {from, to, random_point(polygons_[from], random_),
              random_point(polygons_[to], random_)};
-  return entries_[from].plane.signed_distance(segment.b) > exact_.rounding_m() &&
-         entries_[to].plane.signed_distance(segment.a) > exact_.rounding_m();
+  return entries_[from].plane.signed_distance(segment.b) > exact_.flat_m() &&
+         entries_[to].plane.signed_distance(segment.a) > exact_.flat_m();
 }
 
 bool SegmentSampler::open(const Segment& s) const {

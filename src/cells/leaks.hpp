@@ -28,8 +28,9 @@ struct Leak {
 struct LeakConfig {
   /// A slit is narrower than this share of the cube root of its room's volume.
   double gap_share = 0.02;
-  /// An open side is larger than this share of V^(2/3), and its rim is framed over less than this.
-  double side_share = 0.1, framed_share = 0.3;
+  /// An open side is larger than this share of V^(2/3), and less of its rim is framed than of a
+  /// door's (MergeConfig::framed_share).
+  double side_share = 0.1, framed_share = 0.45;
 };
 
 /// build_cells, and the leaks of its cells: the worst of a kind for each, in the order of their

@@ -36,9 +36,9 @@ constexpr const char* rr3425 = R"({
   "fire_doors": 9,
   "window_width": 1.4,
   "seed": 2,
-  "furniture": {"lamp": 666, "desk": 110, "chair": 106, "table": 20, "shelf": 20, "cupboard": 110,
-                "bin": 60, "plant": 25, "monitor": 50, "picture": 355},
-  "ground_furniture": {"lamp": 2, "bin": 1, "monitor": 1}
+  "furniture": {"lamp": 666, "desk": 110, "chair": 105, "table": 20, "shelf": 13, "cupboard": 110,
+                "bin": 60, "plant": 25, "monitor": 50, "picture": 394},
+  "ground_furniture": {"lamp": 2, "bin": 1, "picture": 2}
 })";
 
 }  // namespace

@@ -36,9 +36,8 @@ class ClusterGraph {
 
 /// How much care a source's sequences get before a coarser answer that covers them is taken.
 struct VisibilityConfig {
-  int max_passes = 2;  ///< sequences followed one by one through the same doorway
-  bool prove_hidden =
-      false;  ///< leave out pairs that are proved hidden by what stands between: slower
+  int max_passes = 2;         ///< sequences followed one by one through the same doorway
+  bool prove_hidden = false;  ///< leave out what is proved hidden by what stands between: slower
   OcclusionConfig occlusion;
 };
 
@@ -48,8 +47,9 @@ std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
 
 /// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
 /// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so this is G_cell tightened by what can be seen through the sequences; with
-/// `prove_hidden`, also by what stands between (occlusion.hpp).
+/// of its own, so this is G_cell tightened by what can be seen through the sequences and, with
+/// `prove_hidden`, by what stands between (occlusion.hpp): first between a cluster and each portal
+/// of a sequence, which ends all sequences through it, then between the clusters that are left.
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

@@ -81,28 +81,12 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
   smallest_m_ = std::max(1e-3 * box.diagonal(), 16.0 * tolerance_m);
 }
 
-Sight Occlusion::between(std::uint32_t a, std::uint32_t b) const {
-  return between({&a, 1}, {&b, 1}, config_.first_rays, config_.max_parts);
-}
-
-Sight Occlusion::between_groups(std::span<const std::uint32_t> a,
-                                std::span<const std::uint32_t> b) const {
-  return between(a, b, config_.group_rays, config_.group_parts);
-}
-
-Sight Occlusion::between(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-                         int rays, int max_parts) const {
-  const std::uint64_t pair = (std::uint64_t{a[0]} << 32) + b[0];
-  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * pair), max_parts};
+Sight Occlusion::between(std::uint32_t a, std::uint32_t b, int max_parts) const {
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts};
   Beam beam;
-  for (auto [side, group] : {std::pair{&beam.a, a}, std::pair{&beam.b, b}}) {
-    std::vector<BeamPart> parts;
-    for (const std::uint32_t cluster : group) {
-      parts.insert(parts.end(), clusters_[cluster].begin(), clusters_[cluster].end());
-    }
-    *side = side_of(std::move(parts));
-  }
-  return settle(std::move(beam), proof, rays);
+  beam.a = side_of(clusters_[a]);
+  beam.b = side_of(clusters_[b]);
+  return settle(std::move(beam), proof, config_.first_rays);
 }
 
 bool Occlusion::is_hidden(const WindowView& view) const {

@@ -15,16 +15,16 @@
 namespace enfilade {
 
 struct OcclusionConfig {
-  int first_rays = 12;  ///< that look for an open line before anything is proved
-  int rays = 6;         ///< for each part of the pair after that
-  int max_parts = 12;   ///< a pair is taken apart into at most so many
-  int group_rays = 8;   ///< likewise, for groups of clusters at once
-  int group_parts = 6;
-  int window_rays = 4;  ///< likewise, for a cluster and a portal
-  int window_parts = 4;
-  int max_planes = 3;          ///< planes tried for each part, those that stop most rays first
-  double most_open = 0.6;      ///< of a plane; where more is open, the longer side is halved
-  std::size_t max_pieces = 8;  ///< more openings in a plane are not followed one by one
+  int first_rays = 12;             ///< that look for an open line before anything is proved
+  int rays = 6;                    ///< for each part of the pair after that
+  int max_parts = 12;              ///< a pair is taken apart into at most so many
+  std::size_t all_parts = 400000;  ///< ... and all pairs into so many: in a large building a pair
+                                   ///< gets fewer, or is not tried beyond the windows' proofs
+  int window_rays = 4;             ///< as first_rays, for a cluster and a portal
+  int window_parts = 4;            ///< as max_parts, for a cluster and a portal
+  int max_planes = 3;              ///< tried for each part, those that stop most rays first
+  double most_open = 0.6;          ///< of a plane; where more is open, the longer side is halved
+  std::size_t max_pieces = 8;      ///< more openings in a plane are not followed one by one
   std::uint64_t seed = 1;
 };
 
@@ -39,10 +39,7 @@ class Occlusion {
  public:
   Occlusion(std::span<const Cluster> clusters, double tolerance_m, const OcclusionConfig& config);
 
-  Sight between(std::uint32_t a, std::uint32_t b) const;
-  /// All of some clusters against all of others, with less effort: `hidden` is a proof for each
-  /// pair of them.
-  Sight between_groups(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
+  Sight between(std::uint32_t a, std::uint32_t b, int max_parts) const;
   /// Is the window hidden from all of the source, for lines through the windows before it? These
   /// are portals, good to the cells' tolerance.
   bool is_hidden(const WindowView& view) const;
@@ -64,8 +61,6 @@ class Occlusion {
     int parts_left;
   };
 
-  Sight between(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int rays,
-                int max_parts) const;
   Sight settle(Beam beam, Proof& proof, int rays) const;
   bool find_open_line(const Beam& beam, Proof& proof, int rays,
                       std::vector<Suspect>& suspects) const;

@@ -6,7 +6,6 @@
 #include "visibility/cell_parts.hpp"
 #include "visibility/cluster_graph.hpp"
 #include "visibility/facing.hpp"
-#include "visibility/hidden_pairs.hpp"
 #include "visibility/portal_search.hpp"
 
 namespace enfilade {
@@ -14,7 +13,7 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double portals_share = 0.3;  // of the time, about
+constexpr double portals_share = 0.5;  // of the time, about
 
 class ClusterVisibility {
  public:
@@ -109,6 +108,24 @@ class ClusterVisibility {
   std::vector<std::uint32_t> seen_by_;  ///< the last cluster that saw this one
 };
 
+// What the windows' proofs leave, pair by pair.
+void drop_hidden(std::vector<Pair>& pairs, const Occlusion& occlusion,
+                 const OcclusionConfig& config, const Progress& progress) {
+  const std::size_t share = config.all_parts / std::max<std::size_t>(pairs.size(), 1);
+  const int parts = static_cast<int>(
+      std::min<std::size_t>(share, static_cast<std::size_t>(std::max(config.max_parts, 0))));
+  if (parts == 0) return;
+  std::size_t done = 0;
+  std::erase_if(pairs, [&](const Pair& pair) {
+    if (done++ % 1024 == 0) {
+      const double all = static_cast<double>(pairs.size());
+      report_progress(progress, "visibility",
+                      portals_share + (1.0 - portals_share) * static_cast<double>(done) / all);
+    }
+    return occlusion.between(pair.first, pair.second, parts) == Sight::hidden;
+  });
+}
+
 }  // namespace
 
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
@@ -117,9 +134,7 @@ ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluste
   if (config.prove_hidden) occlusion.emplace(clusters, complex.tolerance_m(), config.occlusion);
   const Occlusion* used = occlusion ? &*occlusion : nullptr;
   std::vector<Pair> pairs = ClusterVisibility(complex, clusters, config, used).pairs(progress);
-  if (used != nullptr && config.occlusion.max_parts > 0) {
-    drop_hidden(pairs, clusters, *used, progress, portals_share);
-  }
+  if (used != nullptr) drop_hidden(pairs, *used, config.occlusion, progress);
   report_progress(progress, "visibility", 1.0);
   return {clusters.size(), std::move(pairs)};
 }

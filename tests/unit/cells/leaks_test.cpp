@@ -85,21 +85,26 @@ TEST(Leaks, AGapOfMillimetresIsToldAndBreaksNoRoom) {
 }
 
 TEST(Leaks, ARoomThatIsTooOpenIsLostToTheOutside) {
-  // The left room keeps its floor and ceiling, the wall with the door, and one other.
+  // The left room keeps its floor and ceiling and the wall with the door; of its other three walls,
+  // a hand's breadth.
   plan::Plan plan = plan::two_rooms();
-  plan.polygons.erase(plan.polygons.begin() + 1);  // x = 0
   std::erase_if(plan.polygons, [](const Polygon& p) {
     const Box box = bounds(p);
-    return box.hi.y == 0.0;
+    return box.hi.x == 0.0 || box.hi.y == 0.0 || (box.lo.y == 4.0 && box.hi.x == 10.0);
   });
-  plan.rectangle({4, 0, 0}, {0, 0, 2.5}, {6, 0, 0});
+  const Vec3 z(0, 0, 2.5), strip(0, 0, 0.1);
+  plan.rectangle({4, 0, 0}, z, {6, 0, 0});
+  plan.rectangle({4, 4, 0}, {6, 0, 0}, z);
+  plan.rectangle({0, 0, 0}, {0, 4, 0}, strip);
+  plan.rectangle({0, 0, 0}, strip, {4, 0, 0});
+  plan.rectangle({0, 4, 0}, {4, 0, 0}, strip);
   const Found found = find(plan);
-  ASSERT_FALSE(found.leaks.empty());
-  EXPECT_TRUE(std::ranges::any_of(found.leaks, [](const Leak& leak) {
-    return leak.kind != LeakKind::gap && glm::distance(leak.path.front(), Vec3(2, 2, 1.25)) < 1.5;
-  }));
-  const CellId right = found.complex.locate({8, 2, 1});
-  ASSERT_TRUE(right.valid());
+  ASSERT_EQ(found.leaks.size(), 1u);
+  EXPECT_EQ(found.leaks[0].kind, LeakKind::lost_room);
+  EXPECT_LT(glm::distance(found.leaks[0].path.front(), Vec3(2, 2, 1.25)), 0.1);
+  const CellId left = found.complex.locate({2, 2, 1}), right = found.complex.locate({8, 2, 1});
+  ASSERT_TRUE(left.valid() && right.valid());
+  EXPECT_EQ(found.complex.cells()[left.index()].kind, CellKind::outside);
   EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
 }
 

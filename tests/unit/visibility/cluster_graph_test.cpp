@@ -134,6 +134,17 @@ TEST(VisibleClusters, NoPairMissedWhenSequencesAreCutShort) {
   EXPECT_GT(expect_no_pair_missed(prepare(enfilade_of_rooms(), config), 200000), 100u);
 }
 
+TEST(VisibleClusters, NoPairMissedWherePairsAreProvedHidden) {
+  plan::Plan plan = enfilade_of_rooms();
+  plan.transform(plan::turn_and_move(1e3));
+  VisibilityConfig config;
+  config.prove_hidden = true;
+  const Prepared loose = prepare(plan), tight = prepare(plan, config);
+  const std::size_t found = expect_no_pair_missed(tight, 200000);
+  EXPECT_LT(tight.graph.edges(), loose.graph.edges());
+  EXPECT_LT(static_cast<double>(tight.graph.edges()), 1.5 * static_cast<double>(found));
+}
+
 TEST(VisibleClusters, RoomsThatNoLineJoinsDoNotSeeEachOther) {
   const Prepared p = prepare(enfilade_of_rooms());
   const CellId first = p.complex.locate({0.5, 0.5, 2}), last = p.complex.locate({19.5, 0.5, 2});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../cells/plan_scenes.hpp"
+#include "base/random.hpp"
 
 namespace enfilade {
 namespace {
@@ -38,7 +39,7 @@ std::vector<Cluster> one_cluster_each(const plan::Plan& plan) {
 }
 
 Sight sight(const plan::Plan& plan, const OcclusionConfig& config = {}) {
-  return Occlusion(one_cluster_each(plan), tolerance_m, config).between(0, 1);
+  return Occlusion(one_cluster_each(plan), tolerance_m, config).between(0, 1, config.max_parts);
 }
 
 TEST(Occlusion, FreeSightIsOpen) { EXPECT_EQ(sight(two_plates()), Sight::open); }
@@ -107,6 +108,85 @@ TEST(Occlusion, PartsHiddenByDifferentScreensAreHidden) {
   screen(plan, 3.2, 0.5, 2);
   plan.rectangle({3.0, 0.55, -1}, {0.2, 0, 0}, {0, 0, 3});  // closes the way between them
   EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+// Three screens, each with a doorway: no plane alone hides more than a part.
+void three_doorways(plan::Plan& plan, double first, double second, double third) {
+  const auto wall = [&](double x, double y0) {
+    screen(plan, x, -1, y0);
+    screen(plan, x, y0 + 0.1, 2);
+  };
+  wall(1.0, first);
+  wall(2.0, second);
+  wall(3.0, third);
+}
+
+TEST(Occlusion, DoorwaysOutOfLineHide) {
+  plan::Plan plan = two_plates();
+  three_doorways(plan, 0.2, 0.6, 0.2);
+  plan.transform(plan::turn_and_move(1e3));
+  EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+TEST(Occlusion, DoorwaysInLineAreNeverHidden) {
+  plan::Plan plan = two_plates();
+  three_doorways(plan, 0.2, 0.25, 0.3);
+  OcclusionConfig config;
+  for (config.max_parts = 1; config.max_parts <= 256; config.max_parts *= 4) {
+    EXPECT_NE(sight(plan, config), Sight::hidden) << config.max_parts;
+  }
+}
+
+bool blocks(const Polygon& polygon, const Vec3& a, const Vec3& b) {
+  const Plane plane = plane_of(polygon);
+  const double da = plane.signed_distance(a), db = plane.signed_distance(b);
+  if (da * db >= 0.0) return false;
+  const Vec3 hit = a + da / (da - db) * (b - a);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    if (glm::dot(glm::cross(plane.n, edge), hit - polygon[i]) < 0.0) return false;
+  }
+  return true;
+}
+
+// Is a segment between the first two polygons free of all others? Many are tried.
+bool has_free_segment(const plan::Plan& plan, Random& random) {
+  const auto on = [&](const Polygon& p) {
+    return p[0] + random.uniform() * (p[1] - p[0]) + random.uniform() * (p[3] - p[0]);
+  };
+  for (int k = 0; k < 4000; ++k) {
+    const Vec3 a = on(plan.polygons[0]), b = on(plan.polygons[1]);
+    bool free = true;
+    for (std::size_t i = 2; i < plan.polygons.size() && free; ++i) {
+      free = !blocks(plan.polygons[i], a, b);
+    }
+    if (free) return true;
+  }
+  return false;
+}
+
+TEST(Occlusion, RandomPlatesAreNeverHiddenWhereASegmentIsFree) {
+  Random random(11);
+  int hidden = 0, open = 0;
+  for (int scene = 0; scene < 150; ++scene) {
+    plan::Plan plan = two_plates();
+    const auto edge = [&] { return Vec3(random.uniform(), random.uniform(), random.uniform()); };
+    for (int i = 0; i < 14; ++i) {
+      const Vec3 at(0.4 + 2.6 * random.uniform(), 1.6 * random.uniform() - 0.8,
+                    1.6 * random.uniform() - 0.8);
+      const Vec3 u = 1.4 * edge(), v = glm::cross(u, edge());
+      if (glm::length(v) > 0.1) plan.rectangle(at, u, 1.2 / glm::length(v) * v);
+    }
+    OcclusionConfig config;
+    config.max_parts = 60;
+    const Sight found = sight(plan, config);
+    const bool free = has_free_segment(plan, random);
+    EXPECT_FALSE(free && found == Sight::hidden) << scene;
+    hidden += found == Sight::hidden ? 1 : 0;
+    open += free ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 10);
+  EXPECT_GT(open, 10);
 }
 
 TEST(Occlusion, TwinInTheSamePlaneHidesNothing) {
