@@ -6,10 +6,12 @@
 #include "cells/apertures.hpp"
 #include "cells/bsp.hpp"
 #include "cells/cell_complex.hpp"
+#include "cells/floor_steps.hpp"
 #include "cells/interface.hpp"
 #include "cells/leaf_merge.hpp"
 #include "cells/plane_set.hpp"
 #include "cells/portal_build.hpp"
+#include "cells/stairwells.hpp"
 
 namespace enfilade {
 namespace {
@@ -113,6 +115,46 @@ std::vector<std::uint32_t> drop_useless(std::span<const Piece> pieces, const Cel
   return number;
 }
 
+/// A building in its own frame and about its own middle: cells do not depend on where it stands.
+class OwnFrame {
+ public:
+  OwnFrame(std::span<const Piece> pieces, const Vec3& middle)
+      : axes_(dominant_frame(pieces)), middle_(middle) {}
+
+  Vec3 in(const Vec3& p) const {
+    const Vec3 q = p - middle_;
+    return {glm::dot(axes_[0], q), glm::dot(axes_[1], q), glm::dot(axes_[2], q)};
+  }
+  Vec3 direction_out(const Vec3& q) const {
+    return q.x * axes_[0] + q.y * axes_[1] + q.z * axes_[2];
+  }
+  Vec3 out(const Vec3& q) const { return middle_ + direction_out(q); }
+  std::vector<Piece> in(std::span<const Piece> pieces) const {
+    std::vector<Piece> moved(pieces.begin(), pieces.end());
+    for (Piece& piece : moved) {
+      for (Vec3& p : piece.polygon) p = in(p);
+    }
+    return moved;
+  }
+  std::vector<BspNode> out(std::vector<BspNode> nodes) const {
+    for (BspNode& node : nodes) {
+      const Vec3 n = direction_out(node.plane.n);
+      node.plane = {n, node.plane.d + glm::dot(n, middle_)};
+    }
+    return nodes;
+  }
+  std::vector<Portal> out(std::vector<Portal> portals) const {
+    for (Portal& portal : portals) {
+      for (Vec3& p : portal.polygon) p = out(p);
+    }
+    return portals;
+  }
+
+ private:
+  Frame axes_;
+  Vec3 middle_;
+};
+
 CellComplex one_cell(const Box& box, double tolerance_m) {
   const Vec3 e = box.extent();
   std::vector<BspNode> nodes(1);
@@ -121,7 +163,8 @@ CellComplex one_cell(const Box& box, double tolerance_m) {
 }
 
 std::vector<Cell> describe_cells(const std::vector<Region>& leaves, const LeafGroups& groups,
-                                 const std::vector<char>& touches, const Region& inner_box) {
+                                 const std::vector<char>& touches, const Region& inner_box,
+                                 const OwnFrame& own) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < groups.kinds.size(); ++i) {
     cells.push_back({CellId(i), groups.kinds[i], Box{}, 0.0});
@@ -129,7 +172,9 @@ std::vector<Cell> describe_cells(const std::vector<Region>& leaves, const LeafGr
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     const Region region = touches[leaf] ? clip_to(leaves[leaf], inner_box) : leaves[leaf];
     Cell& cell = cells[groups.group_of_leaf[leaf]];
-    cell.bounds.add(bounds(region));
+    for (const Facet& facet : region.facets) {
+      for (const Vec3& p : facet.polygon) cell.bounds.add(own.out(p));
+    }
     cell.volume_m3 += volume_m3(region);
   }
   return cells;
@@ -137,31 +182,40 @@ std::vector<Cell> describe_cells(const std::vector<Region>& leaves, const LeafGr
 
 }  // namespace
 
-CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config) {
-  std::vector<Vec3> points;
+CellComplex build_cells(std::span<const Piece> given, const CellComplex::Config& config) {
   Box box;
+  for (const Piece& piece : given) box.add(bounds(piece.polygon));
+  if (given.empty() || box.diagonal() <= 0.0) return one_cell(box, 0.0);
+
+  const OwnFrame own(given, box.center());
+  const std::vector<Piece> pieces = own.in(given);
+  std::vector<Vec3> points;
+  Box own_box;
   for (const Piece& piece : pieces) {
     points.insert(points.end(), piece.polygon.begin(), piece.polygon.end());
-    box.add(bounds(piece.polygon));
+    own_box.add(bounds(piece.polygon));
   }
-  const double diagonal = box.empty() ? 0.0 : box.diagonal();
+  const Frame axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  const double diagonal = own_box.diagonal();
   const double tolerance_m = std::min(config.tolerance_relative * diagonal, 2e-3);
-  if (pieces.empty() || diagonal <= 0.0) return one_cell(box, tolerance_m);
-
-  const PlaneSet planes = find_planes(pieces, tolerance_m);
-  const Frame frame = dominant_frame(pieces);
-  const Region inner_box = box_region(points, frame, 0.0);
-  const Region outer_box = box_region(points, frame, 1e-3 * diagonal);
-  const BspTree tree = build_bsp(pieces, planes, outer_box, config, tolerance_m);
+  PlaneSet planes = find_planes(pieces, tolerance_m);
+  const Region inner_box = box_region(points, axes, 0.0);
+  const Region outer_box = box_region(points, axes, 1e-3 * diagonal);
+  BspTree tree = build_bsp(pieces, planes, outer_box, config, tolerance_m);
   const double sliver_m = 0.01 * tolerance_m;
   std::vector<LeafInterface> interfaces = find_interfaces(tree, sliver_m);
   frame_apertures(interfaces, tree, tolerance_m);
 
   std::vector<double> volumes;
   for (const Region& leaf : tree.leaves) volumes.push_back(volume_m3(leaf));
+  LeafGroups groups =
+      merge_leaves(volumes, find_touching(tree.leaves, outer_box), interfaces, MergeConfig{});
+  CutSpace space{pieces, planes, tree, interfaces, groups, axes[0], tolerance_m};
+  LeafCutter cutter(space);
+  cut_at_steps(space, cutter, StepConfig{});
+  cut_stairwells(space, cutter, StairwellConfig{});
   const std::vector<char> touches = find_touching(tree.leaves, outer_box);
-  LeafGroups groups = merge_leaves(volumes, touches, interfaces, MergeConfig{});
-  std::vector<Cell> cells = describe_cells(tree.leaves, groups, touches, inner_box);
+  std::vector<Cell> cells = describe_cells(tree.leaves, groups, touches, inner_box, own);
   std::vector<Portal> portals =
       build_portals(interfaces, groups.group_of_leaf, planes.planes, tolerance_m);
 
@@ -182,7 +236,8 @@ CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config
   }
   std::vector<std::uint32_t> cell_of_leaf;
   for (const std::uint32_t group : groups.group_of_leaf) cell_of_leaf.push_back(number[group]);
-  return {std::move(kept), std::move(portals), with_cells(tree, cell_of_leaf), tolerance_m};
+  return {std::move(kept), own.out(std::move(portals)), own.out(with_cells(tree, cell_of_leaf)),
+          tolerance_m};
 }
 
 }  // namespace enfilade

@@ -15,8 +15,10 @@ struct Candidate {
   double score = 0.0;
   std::uint32_t a = 0, b = 0, via = 0xFFFFFFFFu;  ///< via: the connector that joins a and b
 
+  /// By score, as far as it is more than rounding.
+  double level() const { return std::round(score * 1e6); }
   bool operator<(const Candidate& o) const {
-    if (score != o.score) return score > o.score;
+    if (level() != o.level()) return level() > o.level();
     return std::tie(a, b, via) < std::tie(o.a, o.b, o.via);
   }
 };
@@ -36,7 +38,10 @@ class Merger {
     }
     while (round(&Merger::outside_candidates)) {
     }
+    // Thin groups between others go to the outside here and there; what that opens to it, follows.
     while (round(&Merger::leftover_candidates)) {
+      while (round(&Merger::outside_candidates)) {
+      }
     }
     while (round(&Merger::leaking_solids)) {
     }
@@ -220,7 +225,9 @@ class Merger {
       by_volume.emplace_back(graph_[i].volume, i);
       total += graph_[i].volume;
     }
-    std::sort(by_volume.begin(), by_volume.end());
+    std::stable_sort(by_volume.begin(), by_volume.end(), [&](const auto& a, const auto& b) {
+      return std::round(1e9 * a.first / total) < std::round(1e9 * b.first / total);
+    });
     const double largest = config_.crumb_room_share * typical_volume_m3(graph_);
     double crumbs = 0.0;
     for (const auto& [volume, i] : by_volume) {

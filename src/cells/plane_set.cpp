@@ -55,8 +55,10 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
   // Large polygons first: their normals are the most precise.
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  // Areas that are equal but for rounding stay in the file's order, however the building is turned.
+  const auto size_of = [&](std::size_t i) { return std::floor(16.0 * std::log2(areas[i])); };
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
+                   [&](std::size_t a, std::size_t b) { return size_of(a) > size_of(b); });
   const double distance_step = 8.0 * tolerance_m;
   std::unordered_map<Key, std::vector<std::uint32_t>, KeyHash> buckets;
   for (const std::size_t i : order) {
@@ -101,31 +103,70 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
   return set;
 }
 
-Frame dominant_frame(std::span<const Piece> pieces) {
-  struct Direction {
-    Vec3 sum{0.0};
-    double area = 0.0;
-  };
+namespace {
+
+struct Direction {
+  Vec3 n{0.0}, sum{0.0};
+  double area = 0.0;
+};
+
+/// The directions of the pieces' normals, of either sign, the largest first.
+std::vector<Direction> directions_of(std::span<const Piece> pieces) {
   std::vector<Direction> directions;
   std::unordered_map<Key, std::size_t, KeyHash> index;
+  const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v)); };
   for (const Piece& piece : pieces) {
     Vec3 a = 0.5 * area_vector(piece.polygon);
     const double area = glm::length(a);
     if (area <= 0.0) continue;
     if (!is_canonical(a / area)) a = -a;
-    const Vec3 q = glm::round(a / area * 256.0);
-    const Key key{static_cast<std::int64_t>(q.x), static_cast<std::int64_t>(q.y),
-                  static_cast<std::int64_t>(q.z), 0};
-    const auto [at, is_new] = index.try_emplace(key, directions.size());
-    if (is_new) directions.emplace_back();
-    directions[at->second].sum += a;
-    directions[at->second].area += area;
+    const Vec3 q = a / area * 256.0;
+    std::size_t found = directions.size();
+    for (int k = 0; k < 8 && found == directions.size(); ++k) {
+      const Vec3 near(q.x + (k & 1 ? 0.25 : -0.25), q.y + (k & 2 ? 0.25 : -0.25),
+                      q.z + (k & 4 ? 0.25 : -0.25));
+      const auto at = index.find({cell(near.x), cell(near.y), cell(near.z), 0});
+      if (at != index.end() && glm::distance(directions[at->second].n * 256.0, q) < 0.25) {
+        found = at->second;
+      }
+    }
+    if (found == directions.size()) {
+      directions.push_back({a / area, Vec3(0.0), 0.0});
+      index.try_emplace({cell(q.x), cell(q.y), cell(q.z), 0}, found);
+    }
+    directions[found].sum += a;
+    directions[found].area += area;
   }
-  std::stable_sort(directions.begin(), directions.end(),
-                   [](const Direction& a, const Direction& b) { return a.area > b.area; });
+  // Largest first; what is equal but for rounding, in the file's order.
+  std::stable_sort(
+      directions.begin(), directions.end(), [](const Direction& a, const Direction& b) {
+        return std::floor(64.0 * std::log2(a.area)) > std::floor(64.0 * std::log2(b.area));
+      });
+  return directions;
+}
+
+/// The sign of an axis that a building has by itself: most of its area lies on that side.
+Vec3 with_sign(const Vec3& axis, std::span<const Piece> pieces) {
+  double low = 1e300, high = -1e300, sum = 0.0, whole = 0.0;
+  for (const Piece& piece : pieces) {
+    const double area = area_m2(piece.polygon);
+    sum += area * glm::dot(axis, centroid(piece.polygon));
+    whole += area;
+    for (const Vec3& p : piece.polygon) {
+      low = std::min(low, glm::dot(axis, p));
+      high = std::max(high, glm::dot(axis, p));
+    }
+  }
+  return sum >= 0.5 * (low + high) * whole ? axis : -axis;
+}
+
+}  // namespace
+
+Frame dominant_frame(std::span<const Piece> pieces) {
+  const std::vector<Direction> directions = directions_of(pieces);
   Frame frame{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   if (directions.empty()) return frame;
-  frame[0] = glm::normalize(directions[0].sum);
+  frame[0] = with_sign(glm::normalize(directions[0].sum), pieces);
   Vec3 second(0.0);
   for (const Direction& direction : directions) {
     const Vec3 n = glm::normalize(direction.sum);
@@ -138,8 +179,9 @@ Frame dominant_frame(std::span<const Piece> pieces) {
     const Vec3 a = glm::abs(frame[0]);
     second = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0) : a.y <= a.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
   }
-  frame[2] = glm::normalize(glm::cross(frame[0], second));
-  frame[1] = glm::cross(frame[2], frame[0]);
+  second = with_sign(glm::normalize(second - glm::dot(second, frame[0]) * frame[0]), pieces);
+  frame[1] = second;
+  frame[2] = glm::cross(frame[0], frame[1]);
   return frame;
 }
 
