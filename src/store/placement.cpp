@@ -87,21 +87,26 @@ std::uint64_t Placement::accounted(std::uint64_t bytes) const {
   return manager_ == MemoryManager::own ? round_up(bytes, piece_bytes) : bytes;
 }
 
+/// The old block goes when the new one is there, as with a vector that grows; own pieces stay.
 void Placement::resize(Block& block, std::uint64_t bytes) {
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces, old;
+  if (block != 0) {
+    old = std::move(blocks_[block]);
+    unused_.push_back(block);
+    block = 0;
+  }
   if (manager_ == MemoryManager::own) {
-    for (std::uint64_t taken = 0; taken < bytes; taken += piece_bytes)
-      pieces.push_back(take_hole(piece_bytes));
+    const std::size_t count = (bytes + piece_bytes - 1) / piece_bytes;
+    const std::size_t kept = std::min(count, old.size());
+    pieces.assign(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(kept));
+    old.erase(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(kept));
+    while (pieces.size() < count) pieces.push_back(take_hole(piece_bytes));
   } else if (bytes > 0) {
     pieces = {take_hole(round_up(bytes + heap_header_bytes, heap_header_bytes))};
   }
   count_.extent_bytes = std::max(count_.extent_bytes, end_);
   pages_.resize(std::max<std::size_t>(pages_.size(), round_up(end_, page_bytes) / page_bytes));
-  if (block != 0) {  // the old one goes when the new one is there, as with a vector that grows
-    for (const Piece& piece : blocks_[block]) free(piece);
-    unused_.push_back(block);
-    block = 0;
-  }
+  for (const Piece& piece : old) free(piece);
   if (pieces.empty()) return;
   if (unused_.empty()) {
     unused_.push_back(static_cast<Block>(blocks_.size()));

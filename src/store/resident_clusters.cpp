@@ -92,6 +92,7 @@ void BasicResidentClusters<State>::measure(Entry& entry) {
     placement_.resize(entry.links_block, entry.links_bytes);
   }
   bytes_ += entry.shooter_bytes + entry.links_bytes;
+  largest_bytes_ = std::max(largest_bytes_, entry.shooter_bytes + entry.links_bytes);
   count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
   if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
     count_.over_budget_bytes = count_.peak_bytes - budget_bytes_;
@@ -290,9 +291,13 @@ void BasicResidentClusters<State>::drop_links(Entry& entry) {
 
 template <class State>
 void BasicResidentClusters<State>::evict(bool pressed) {
-  if (budget_bytes_ == 0 || bytes_ <= budget_bytes_) return;
+  if (budget_bytes_ == 0) return;
+  // The next cluster comes in before others go: there must be room for it, or the system would
+  // swap.
+  const std::uint64_t limit = budget_bytes_ - std::min(budget_bytes_ / 2, largest_bytes_);
+  if (bytes_ <= limit) return;
   // A little more than needed, so that the order is not worked out for every cluster that comes in.
-  const std::uint64_t goal = budget_bytes_ - (pressed ? budget_bytes_ / 16 : 0);
+  const std::uint64_t goal = limit - (pressed ? limit / 16 : 0);
   using Part = std::tuple<std::uint64_t, bool, ClusterId>;  // next use, links, whose
   std::vector<Part> parts;
   for (const auto& [id, entry] : entries_) {

@@ -117,6 +117,7 @@ class BasicResidentClusters {
   std::span<const ClusterId> visible_;
   std::vector<ClusterId> held_;  ///< ascending
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
+  std::uint64_t largest_bytes_ = 0;  ///< that a cluster has taken so far: room for the next one
   ResidencyCount count_;
 };
 

@@ -66,7 +66,7 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
 }
 
 TEST_F(ResidentClustersTest, UnderPressureTheFarthestNextUseGoesFirst) {
-  ResidentClusters resident(store, machine, 3 * size() + size() / 2);
+  ResidentClusters resident(store, machine, 4 * size() + size() / 2);  // three, and room for one
   const std::vector<std::uint64_t> next_use = {5, 9, 1, 7, 3, 2};
   resident.set_next_use([&](ClusterId c, bool) { return next_use[c.index()]; });
   for (std::size_t i = 0; i < 4; ++i) {
@@ -78,6 +78,9 @@ TEST_F(ResidentClustersTest, UnderPressureTheFarthestNextUseGoesFirst) {
   resident.unpin();
   EXPECT_EQ(resident.resident(), (std::vector<ClusterId>{id(0), id(2), id(4)}));
   EXPECT_LE(resident.bytes(), 3 * size() + size() / 2);
+  EXPECT_LE(resident.count().peak_bytes, 4 * size() + size() / 2);
+  EXPECT_EQ(resident.count().over_budget_bytes, 0u) << "what comes in has room before others go";
+  EXPECT_EQ(resident.count().placement.swapped_bytes, 0u);
 }
 
 TEST_F(ResidentClustersTest, WhatIsEvictedComesBackAsItWas) {
@@ -128,9 +131,9 @@ TEST_F(ResidentClustersTest, WhatIsHeldStaysUntilSomethingElseIs) {
 }
 
 TEST_F(ResidentClustersTest, ShootersStillToComeStayLongerThanThoseUsedSooner) {
-  // Room for four. Clusters 3 and 4 are in memory and still to come in this gather; 1 and 2, which
-  // the next gather needs, go before them.
-  ResidentClusters resident(store, machine, 4 * size() + size() / 2);
+  // Room for four, and for one that comes in. Clusters 3 and 4 are in memory and still to come in
+  // this gather; 1 and 2, which the next gather needs, go before them.
+  ResidentClusters resident(store, machine, 5 * size() + size() / 2);
   resident.set_next_use([&](ClusterId c, bool) { return c.index() < 3 ? 0u : 9u; });
   resident.pin_shooter(id(4));
   resident.pin_shooter(id(3));
