@@ -184,7 +184,9 @@ ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis bas
       bands_(scene.bands),
       basis_(basis),
       patches_(cluster, frames_of(cluster, scene), scene.bands, static_cast<int>(basis)),
-      links_(link_stride(basis)) {}
+      links_(link_stride(basis)) {
+  shrink();
+}
 
 ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
                            std::span<const std::byte> links) {
