@@ -110,19 +110,30 @@ bool BrightPolygons::exact_factor(const Vec3& p, const Vec3& n, std::uint32_t ow
   return true;
 }
 
-std::vector<char> BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                              Spectrum& irradiance) const {
-  std::vector<char> counted(is_bright_.size(), 0);
+/// Mean radiosity of the others that were not counted, by what each would give if nothing hid it.
+Spectrum BrightPolygons::ambient(std::span<const double> weights, std::span<const char> counted,
+                                 std::size_t bands) const {
+  Spectrum sum(bands, 0.0);
+  double factors = 0.0;
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const Bright& b = others_[i];
+    if (counted[b.polygon] != 0 || weights[i] <= 0.0) continue;
+    const double factor = weights[i] / b.top;
+    factors += factor;
+    for (std::size_t band = 0; band < bands; ++band) sum[band] += factor * b.radiosity(band);
+  }
+  for (double& s : sum) s = factors > 0.0 ? s / factors : 0.0;
+  return sum;
+}
+
+BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                                    Spectrum& irradiance) const {
+  Counted counted{std::vector<char>(is_bright_.size(), 0), {}};
   const std::vector<double> bright = weights(bright_, p, n, own);
   const std::vector<double> other = weights(others_, p, n, own);
   const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
   const double total = std::accumulate(other.begin(), other.end(), total_bright);
-  const auto add = [&](const Bright& b, double factor) {
-    counted[b.polygon] = 1;
-    for (std::size_t band = 0; band < irradiance.size(); ++band) {
-      irradiance[band] += factor * b.radiosity(band);
-    }
-  };
+  std::vector<std::pair<const Bright*, double>> factors;
   double factor = 0.0;
   for (std::size_t i = 0; i < bright_.size(); ++i) {
     if (bright[i] <= 1e-6 * total_bright || bright[i] <= 0.0) continue;
@@ -132,11 +143,19 @@ std::vector<char> BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std:
       factor =
           visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total_bright / b.top, 0);
     }
-    add(b, factor);
+    factors.emplace_back(&b, factor);
   }
   for (std::size_t i = 0; i < others_.size(); ++i) {
     if (other[i] <= 5e-3 * total || !exact_factor(p, n, own, others_[i], factor)) continue;
-    add(others_[i], factor);
+    factors.emplace_back(&others_[i], factor);
+  }
+  for (const auto& [b, f] : factors) counted.polygons[b->polygon] = 1;
+  counted.ambient = ambient(other, counted.polygons, irradiance.size());
+  for (std::size_t band = 0; band < irradiance.size(); ++band) {
+    irradiance[band] += counted.ambient[band];
+    for (const auto& [b, f] : factors) {
+      irradiance[band] += f * (b->radiosity(band) - counted.ambient[band]);
+    }
   }
   return counted;
 }

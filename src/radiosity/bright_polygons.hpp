@@ -19,10 +19,14 @@ class BrightPolygons {
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
   /// Adds to `irradiance` what the mean radiosities of all of them give at p, and those of all
   /// others that may give a two-hundredth of the light there and are hidden by few. Exactly, but
-  /// for bright ones that many hide: these are looked at as closely as they matter. Returns by
-  /// polygon whether it was counted. `own`: the polygon that p lies on.
-  std::vector<char> add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                Spectrum& irradiance) const;
+  /// for bright ones that many hide: these are looked at as closely as they matter. `own`: the
+  /// polygon that p lies on. What is added for a direction is its polygon's mean where that was
+  /// counted, else `ambient`: rays have to find the rest.
+  struct Counted {
+    std::vector<char> polygons;  ///< by polygon: whether it was counted
+    Spectrum ambient;            ///< mean radiosity of those in view that were not
+  };
+  Counted add_largest(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& irradiance) const;
 
   /// How likely each is to be picked for points near p.
   std::vector<double> weights_near(const Vec3& p) const;
@@ -44,6 +48,8 @@ class BrightPolygons {
   };
   static std::vector<double> weights(const std::vector<Bright>& polygons, const Vec3& p,
                                      const Vec3& n, std::uint32_t own);
+  Spectrum ambient(std::span<const double> weights, std::span<const char> counted,
+                   std::size_t bands) const;
   bool exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
                     double& factor) const;
   double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,

@@ -16,6 +16,22 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
+/// Received power per unit of the shooter's light if nothing stands between, from the shooter's
+/// side: the receiver's solid angle, or the mean factor towards it.
+double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& work) {
+  if (shooter.is_light()) {
+    ++work.form_factors;
+    return solid_angle(shooter.center, receiver.corners);
+  }
+  const PolygonFrame& frame = shooter.frame();
+  double sum = 0.0;
+  for (const Vec2& q : shooter.shape.quadrature()) {
+    sum += 0.25 * point_to_polygon(frame.at(q), frame.n, receiver.corners);
+  }
+  work.form_factors += 4;
+  return shooter.area_m2 * sum;
+}
+
 }  // namespace
 
 double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
@@ -118,11 +134,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   // F_sr.
   double missed = 0.0;
   if (!shooter.is_group() && (shooter.is_light() || shooter.radius < receiver.radius)) {
-    ++work_->form_factors;
-    const double total = shooter.is_light()
-                             ? solid_angle(shooter.center, receiver.corners)
-                             : shooter.area_m2 * point_to_polygon(shooter.center, shooter.frame().n,
-                                                                  receiver.corners);
+    const double total = power_from(receiver, shooter, *work_);
     const double plain = total / receiver.area_m2;
     missed = std::abs(plain - mean_factor);
     if (mean_factor > 0.0) {

@@ -1,6 +1,7 @@
 """Solves a scene at default settings and holds the light at its probes against an independent reference.
 
-usage: accuracy_test.py ENFILADE SCENE REFERENCE [--max-l1 X] [--max-relative X] [--max-median X] [--max-dark X]
+usage: accuracy_test.py ENFILADE SCENE REFERENCE [--max-l1 X] [--max-rms X] [--max-relative X] [--max-median X] [--max-dark X]
+                        [--max-links N] [--max-rays N]
 """
 import argparse
 import json
@@ -21,6 +22,10 @@ def main():
     parser.add_argument("scene")
     parser.add_argument("reference")
     parser.add_argument("--max-l1", type=float, help="area-weighted relative L1 over all points")
+    parser.add_argument("--max-rms", type=float, help="RMS error over all points, as a share of the mean")
+    parser.add_argument("--max-links", type=int)
+    parser.add_argument("--max-rays", type=int)
+    parser.add_argument("--from", dest="method", default="gather", help="gather or patches: how the points are read")
     parser.add_argument("--max-relative", type=float, help="largest relative error of a point")
     parser.add_argument("--max-median", type=float,
                         help="median relative error over points above 1 percent of the mean")
@@ -36,13 +41,16 @@ def main():
         run = os.path.join(folder, "run")
         answers = os.path.join(folder, "answers.json")
         solve(options, run, environment)
-        subprocess.run([options.enfilade, "probe", run, "--points", options.reference, "-o", answers],
+        subprocess.run([options.enfilade, "probe", run, "--points", options.reference, "-o", answers,
+                        "--from", options.method],
                        check=True, env=environment)
         with open(answers, encoding="utf-8") as file:
             got = json.load(file)["probes"]
+        with open(os.path.join(run, "stats.json"), encoding="utf-8") as file:
+            stats = json.load(file)
     with open(options.reference, encoding="utf-8") as file:
         want = json.load(file)["probes"]
-    return judge(options, want, got)
+    return judge(options, want, got, stats)
 
 
 def solve(options, run, environment):
@@ -65,7 +73,7 @@ def solve(options, run, environment):
     subprocess.run(command + ["--resume"] * (kills > 0), check=True, env=environment)
 
 
-def judge(options, want, got):
+def judge(options, want, got, stats):
     bad = []
 
     def check(name, value, limit):
@@ -75,6 +83,8 @@ def judge(options, want, got):
         if not value <= limit:
             bad.append(name)
 
+    check("links", stats["links"], options.max_links)
+    check("rays", stats["rays"], options.max_rays)
     bands = len(want[0]["E"])
     for band in range(bands):
         reference = [p["E"][band] for p in want]
@@ -87,6 +97,7 @@ def judge(options, want, got):
         relative = [e / r for e, r in zip(error, reference) if r > 0.01 * mean]
         dark = [a / mean for a, r in zip(answer, reference) if r == 0.0]
         check(f"band {band} relative L1", sum(error) / sum(reference), options.max_l1)
+        check(f"band {band} RMS", statistics.mean(e * e for e in error) ** 0.5 / mean, options.max_rms)
         check(f"band {band} largest relative error", max(relative), options.max_relative)
         check(f"band {band} median relative error", statistics.median(relative), options.max_median)
         if dark:

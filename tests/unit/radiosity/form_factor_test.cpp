@@ -59,5 +59,12 @@ TEST(PointKernel, AgreesWithASmallPolygon) {
   EXPECT_NEAR(point_to_polygon({0, 0, 0}, {0, 0, 1}, tiny) / (4 * h * h), kernel, 1e-5 * kernel);
 }
 
+TEST(SolidAngle, AFaceOfACubeIsASixthOfTheSphereAndAHalfSpaceIsHalf) {
+  const std::vector<Vec3> face{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+  EXPECT_NEAR(solid_angle({0, 0, 0}, face), 4.0 * pi / 6.0, 1e-12);
+  EXPECT_NEAR(solid_angle({0, 0, 2}, face), 4.0 * pi / 6.0, 1e-12);  // from the other side
+  EXPECT_NEAR(solid_angle({0, 0, 1.0 - 1e-6}, face), 2.0 * pi, 1e-5);
+}
+
 }  // namespace
 }  // namespace enfilade
