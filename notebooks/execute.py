@@ -15,7 +15,7 @@ from nbclient.exceptions import CellExecutionError
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("notebook", type=Path)
-    parser.add_argument("--csv", type=Path, required=True, help="what partition_study wrote")
+    parser.add_argument("--csv", type=Path, required=True, help="the figures, which the notebook finds as $ENFILADE_CSV")
     parser.add_argument("--chart", type=Path, help="where the chart goes")
     arguments = parser.parse_args()
     os.environ["ENFILADE_CSV"] = str(arguments.csv.resolve())

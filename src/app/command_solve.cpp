@@ -10,7 +10,13 @@
 #include "app/solve_summary.hpp"
 #include "parallel/history.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/rank_profiles.hpp"
+#include "parallel/replay.hpp"
 #include "parallel/solve.hpp"
+#include "report/rank_timeline.hpp"
+#include "report/stats_json.hpp"
+#include "scene/scene_io.hpp"
+#include "store/posix_file.hpp"
 
 namespace enfilade {
 
@@ -23,6 +29,19 @@ SolveConfig agree_on_config(const SolveOptions& options, Session& session) {
     make_machine(options.cost_model);
   });
   return options.config();
+}
+
+/// All ranks call it; rank 0 writes.
+void write_trace(const std::string& run_directory, Communicator& communicator,
+                 const Machine& machine) {
+  const std::vector<RankProfile> ranks = gather_profiles(communicator, machine);
+  if (!communicator.root()) return;
+  const Drawing timeline = rank_timeline(ranks);
+  make_directory(run_directory + "/pictures");
+  write_file_atomically(run_directory + "/trace.paje", paje_trace(ranks));
+  write_file_atomically(run_directory + "/pictures/ranks.svg", to_svg(timeline));
+  write_file_atomically(run_directory + "/pictures/ranks.png",
+                        encode_png(to_bitmap(timeline), timeline.title));
 }
 
 std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
@@ -45,9 +64,11 @@ void run_solve(const SolveOptions& options, Session& session) {
     if (config.resume) committed_iterations(config.run_directory);
     remove_run_outputs(config.run_directory);
   });
+  if (options.trace) machine.trace();
   SolveProgress progress(config.target_error, console.progress());
   RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
   describe_run(stats, config, prepared);
+  if (options.trace) write_trace(config.run_directory, communicator, machine);
 
   communicator.on_root([&] {
     const Warnings shortfall = shortfall_of(config.run_directory, stats, config.max_iterations);
@@ -62,6 +83,28 @@ void run_solve(const SolveOptions& options, Session& session) {
   });
 }
 
+/// A recorded run on other computers: stats.json and history.json, and no light.
+void run_replay(const SolveOptions& options, Session& session) {
+  Communicator& communicator = session.communicator();
+  const SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+  communicator.on_root([&] { check_run_directory(config.run_directory); });
+  if (options.trace) machine.trace();
+  std::vector<IterationSummary> history;
+  RunRecord stats = replay(options.replay, config, communicator, machine,
+                           [&history](const IterationSummary& s) { history.push_back(s); });
+  communicator.on_root([&] {
+    claim_run_directory(config.run_directory);
+    remove_run_outputs(config.run_directory);
+    describe_strategies(stats, config);
+    stats.set("replayed", options.replay);
+    write_stats(stats, config.run_directory + "/stats.json");
+    replace_file(config.run_directory + "/history.json", history_json(history));
+    if (!options.quiet) session.console().print(solve_summary(config.run_directory, stats));
+  });
+  if (options.trace) write_trace(config.run_directory, communicator, machine);
+}
+
 }  // namespace
 
 void add_solve(CLI::App& cli, Command& chosen) {
@@ -70,7 +113,10 @@ void add_solve(CLI::App& cli, Command& chosen) {
       "solve", "Compute the light of a scene, on as many ranks as mpirun starts");
   add_solve_options(*sub, *options);
   sub->callback([options, &chosen] {
-    chosen = {true, [options](Session& session) { run_solve(*options, session); }};
+    chosen = {true, [options](Session& session) {
+                options->replay.empty() ? run_solve(*options, session)
+                                        : run_replay(*options, session);
+              }};
   });
 }
 

@@ -4,13 +4,10 @@
 
 namespace enfilade {
 
-void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
+void describe_strategies(RunRecord& record, const SolveConfig& config) {
   record.set("version", ENFILADE_VERSION);
   record.set("revision", ENFILADE_REVISION);
-  record.set("scene_hash", hash_text(prepared.scene.hash));
-  record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("seed", config.seed);
-  record.set("target_error", config.target_error);
   record.set("scheme", name_of(config.scheme));
   record.set("assignment", name_of(config.assignment));
   record.set("order", name_of(config.order));
@@ -18,6 +15,13 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("steal", config.steal);
   record.set("memory_manager", name_of(config.memory_manager));
   record.set("memory_bytes", config.memory_bytes);
+}
+
+void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared) {
+  record.set("scene_hash", hash_text(prepared.scene.hash));
+  record.set("unit", enfilade::name_of(prepared.scene.unit));
+  record.set("target_error", config.target_error);
+  describe_strategies(record, config);
 }
 
 }  // namespace enfilade

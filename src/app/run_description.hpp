@@ -9,5 +9,7 @@ namespace enfilade {
 
 /// Adds version, revision, scene_hash, seed, target_error and the strategies to a record.
 void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared);
+/// Of those, what does not need the scene.
+void describe_strategies(RunRecord& record, const SolveConfig& config);
 
 }  // namespace enfilade

@@ -7,6 +7,7 @@
 
 #include "app/plan_files.hpp"
 #include "app/solved_run.hpp"
+#include "parallel/error_estimate.hpp"
 #include "report/camera.hpp"
 #include "report/solution_glb.hpp"
 #include "report/stats_json.hpp"
@@ -23,7 +24,14 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("iteration", summary.plan.iteration);
   record.set("refine", summary.plan.refine);
   record.set("link_tolerance", summary.plan.link_tolerance);
-  record.set("estimated_error", summary.estimated_error);
+  record.set("estimated_error", summary.error.total());
+  record.set("estimated_discretisation_error", summary.error.discretisation);
+  record.set("estimated_visibility_error", summary.error.visibility);
+  record.set("estimated_iteration_error", summary.error.iteration);
+  record.set("estimated_patch_error", summary.error.patches);
+  record.set("iteration_error_bound", summary.error.iteration_bound);
+  record.set("sampled", summary.plan.sample);
+  if (summary.plan.sample) record.set("sample_noise", sample_noise(summary.sums.residual));
   record.set("relative_change", summary.sums.received_power > 0.0
                                     ? summary.sums.change_power / summary.sums.received_power
                                     : 0.0);
@@ -39,11 +47,7 @@ RunRecord record_of(const IterationSummary& summary) {
 
 void write_records(const std::string& run, const RunRecords& records) {
   write_stats(records.stats, run + "stats.json");
-  std::string rows;
-  for (const IterationSummary& summary : records.history) {
-    rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
-  }
-  write_file_atomically(run + "history.json", "[" + rows + "]\n");
+  write_file_atomically(run + "history.json", history_json(records.history));
   write_file_atomically(run + "warnings.json",
                         nlohmann::json(records.warnings.summary()).dump(1) + "\n");
   std::vector<int> ranks;
@@ -67,6 +71,14 @@ std::string file_name_of(const std::string& caption) {
 
 }  // namespace
 
+std::string history_json(std::span<const IterationSummary> history) {
+  std::string rows;
+  for (const IterationSummary& summary : history) {
+    rows += (rows.empty() ? "" : ",\n") + to_json(record_of(summary));
+  }
+  return "[" + rows + "]\n";
+}
+
 RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
                       const Progress& progress) {
   RunPage page = read_run_page(run_directory);
@@ -81,7 +93,7 @@ void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name :
        {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-        "surfaces.csv", "solution.glb", "report.html", "pictures"}) {
+        "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }

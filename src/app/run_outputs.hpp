@@ -29,6 +29,9 @@ struct RunRecords {
   Warnings warnings;
 };
 
+/// The file history.json: one record an iteration.
+std::string history_json(std::span<const IterationSummary> history);
+
 /// Takes away what an earlier solve wrote, so that nothing of it stands beside a new solution.
 void remove_run_outputs(const std::string& run_directory);
 

@@ -19,7 +19,9 @@ constexpr const char* footer =
     "  mpirun -n 4 enfilade solve scenes/duplex.json -o out/duplex --target-error 0.01\n"
     "  enfilade solve out/duplex --resume            (after a crash)\n"
     "  smpirun -platform platforms/office.xml -hostfile platforms/office-4.hosts -np 4 \\\n"
-    "    enfilade-smpi solve scenes/duplex.json -o out/simulated\n\n"
+    "    enfilade-smpi solve scenes/duplex.json -o out/simulated\n"
+    "  smpirun -platform platforms/office.xml -hostfile platforms/office-2.hosts -np 2 \\\n"
+    "    enfilade-smpi solve --replay out/simulated -o out/two-hosts\n\n"
     "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, "
     "and\n"
     "probes.json where the scene has probes.";
@@ -122,6 +124,10 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   sub.add_option("--cost-model", o.cost_model,
                  "What counted work costs on a simulated host (JSON); default: the built-in model")
       ->group(group);
+  sub.add_option("--replay", o.replay,
+                 "On a simulated cluster: do what RUN recorded in place of the kernels, for the "
+                 "time alone; a what-if takes seconds")
+      ->group(group);
   sub.add_option("--seed", o.seed, "Seed of everything that draws lots")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
@@ -145,9 +151,28 @@ std::string SolveOptions::probe_source() const {
   return is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
 }
 
+void SolveOptions::check_replay() const {
+  if (resume) {
+    throw InputError("command line", "--replay", "does not go with --resume",
+                     "leave one of them out");
+  }
+  if (scheme != "spmd") {
+    throw InputError("command line", "--replay", "knows no scheme but spmd", "leave --scheme out");
+  }
+  std::error_code missing;
+  if (fs::equivalent(replay, output, missing)) {
+    throw InputError("command line", "-o", "is the run that is replayed", "name another directory");
+  }
+}
+
 SolveConfig SolveOptions::config() const {
+  if (input.empty() == replay.empty()) {
+    throw InputError("command line", "solve", "takes either a scene or --replay RUN",
+                     "name one of them; see enfilade solve --help");
+  }
+  if (!replay.empty()) check_replay();
   if (output.empty() && !is_directory(input)) {
-    if (std::error_code code; !fs::exists(input, code)) {
+    if (std::error_code code; !input.empty() && !fs::exists(input, code)) {
       throw InputError(input, "file", code ? code.message() : "does not exist", "check the path");
     }
     throw InputError("command line", "solve", "-o is missing",
@@ -175,13 +200,14 @@ SolveConfig SolveOptions::config() const {
 }
 
 void add_solve_options(CLI::App& sub, SolveOptions& o) {
-  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made")
-      ->required();
+  sub.add_option("input", o.input, "Scene file, or a RUN directory that prepare or solve has made");
   sub.add_option("-o,--output", o.output,
                  "RUN directory to fill; may be left out where the input is one");
   add_accuracy_options(sub, o);
   add_parallel_options(sub, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_flag("--trace", o.trace,
+               "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.footer(footer);

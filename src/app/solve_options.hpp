@@ -13,6 +13,7 @@ namespace enfilade {
 
 struct SolveOptions {
   std::string input, output;
+  std::string replay;  ///< RUN whose recorded gathers take the place of the kernels
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
   std::string basis = "auto", scheme = "spmd", assignment = "kmeans", order = "travelling-salesman";
@@ -20,7 +21,7 @@ struct SolveOptions {
   std::string memory, memory_manager = "own", local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;
-  bool no_steal = false, no_correction = false, resume = false, quiet = false;
+  bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
   bool pictures = true;
 
   /// Empty where the input is a RUN directory that is solved in place.
@@ -30,6 +31,9 @@ struct SolveOptions {
   std::string probe_source() const;
   /// Throws InputError for a value that is none.
   SolveConfig config() const;
+
+ private:
+  void check_replay() const;
 };
 
 /// Adds the arguments, options and the help text of `solve`.

@@ -15,7 +15,7 @@ std::string shown_number(const std::string& key, double x) {
   if (!std::isfinite(x)) return "not known";
   if (key.ends_with("_s")) return format_duration(x);
   if (key.starts_with("bytes_") || key.ends_with("_bytes")) return format_bytes(x);
-  if (key == "estimated_error" || key == "target_error" || key == "flux_balance" ||
+  if (key.starts_with("estimated_") || key == "target_error" || key == "flux_balance" ||
       key == "escaping_share")
     return fmt::format("{:.2g}%", 100.0 * x);
   return fmt::format("{:.4g}", x);
@@ -43,6 +43,10 @@ constexpr Row summary_rows[] = {
     {"messages", "messages"},
     {"iterations", "iterations"},
     {"estimated_error", "estimated error"},
+    {"estimated_patch_error", "of light read off patches"},
+    {"estimated_discretisation_error", "of that by patches and links"},
+    {"estimated_visibility_error", "by visibility"},
+    {"estimated_iteration_error", "by iterations not made"},
     {"target_error", "asked error"},
     {"flux_balance", "light not absorbed"},
     {"escaping_share", "of that seen to leave"},
@@ -58,8 +62,8 @@ IterationObserver SolveProgress::observer() {
   return [this](const IterationSummary& summary) {
     report_progress(progress_,
                     fmt::format("solve: iteration {}, estimated error {:.2g}%,",
-                                summary.plan.iteration, 100.0 * summary.estimated_error),
-                    fraction(summary.estimated_error));
+                                summary.plan.iteration, 100.0 * summary.error.total()),
+                    fraction(summary.error.total()));
   };
 }
 
@@ -94,8 +98,10 @@ Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
   const auto percent = [&](const char* key) { return shown_number(key, record.number(key, 1.0)); };
   const double iterations = record.number("iterations", 0.0);
   warnings.add(run_directory,
-               fmt::format("not converged after {} iterations: estimated error {}, asked {}; {}",
-                           iterations, percent("estimated_error"), percent("target_error"),
+               fmt::format("not converged after {} iterations: estimated error {} ({} read off "
+                           "patches), asked {}; {}",
+                           iterations, percent("estimated_error"), percent("estimated_patch_error"),
+                           percent("target_error"),
                            iterations < max_iterations
                                ? "finer links bring nothing more, ask for a larger --target-error"
                                : "go on with --resume and a larger --max-iterations"));

@@ -6,10 +6,22 @@ namespace enfilade {
 Phase Machine::enter(Phase phase) {
   const double now = now_s();
   seconds_[static_cast<std::size_t>(phase_)] += now - since_s_;
+  if (profile_) profile_->add(phase_, since_s_, now);
   since_s_ = now;
   const Phase before = phase_;
   phase_ = phase;
   return before;
+}
+
+void Machine::trace() {
+  enter(phase_);
+  profile_.emplace();
+}
+
+std::optional<PhaseProfile> Machine::profile() const {
+  auto result = profile_;
+  if (result) result->add(phase_, since_s_, now_s());
+  return result;
 }
 
 std::array<double, phase_count> Machine::seconds() const {

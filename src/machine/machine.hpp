@@ -6,18 +6,16 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/work_count.hpp"
+#include "machine/phase_profile.hpp"
 
 namespace enfilade {
 
 /// Where bytes live: the common directory (NFS, shared by all ranks) or the rank's local directory.
 enum class Disk { common, local };
-
-/// What a rank is doing; every second of a run belongs to one phase.
-enum class Phase : std::uint8_t { compute, io, commit, steal, wait, token };
-inline constexpr std::size_t phase_count = 6;
 
 /// Seconds that a rank spent, by what it did: io = reading, writing and moving files; idle =
 /// waiting for stolen work, for the others and for the token.
@@ -62,10 +60,16 @@ class Machine {
   std::array<double, phase_count> seconds() const;
   TimeUse time_use() const;
 
+  /// From now on, what is done when is kept.
+  void trace();
+  /// What was done since trace(), over now_s(); nothing without it.
+  std::optional<PhaseProfile> profile() const;
+
  private:
   std::array<double, phase_count> seconds_{};
   Phase phase_ = Phase::compute;
   double since_s_ = 0.0;
+  std::optional<PhaseProfile> profile_;
 };
 
 /// Time belongs to a phase until the end of the scope.

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "machine/background_load.hpp"
 #include "machine/cost_model.hpp"
 #include "machine/machine.hpp"
 
@@ -24,13 +26,9 @@ namespace s4u = simgrid::s4u;
 /// the disk itself, where every rank finds it.
 struct DiskArm {
   s4u::MutexPtr queue = s4u::Mutex::create();
+  double seek_s = 0.0;
+  BackgroundLoad others;
 };
-
-DiskArm& arm_of(s4u::Disk& disk) {
-  if (disk.get_data<DiskArm>() == nullptr)
-    disk.set_data(new DiskArm);  // lives as long as the simulation
-  return *disk.get_data<DiskArm>();
-}
 
 /// The disk's own property `seek_s`, or the cost model's.
 double seek_s(const s4u::Disk& disk, const DiskCosts& costs) {
@@ -44,17 +42,41 @@ double seek_s(const s4u::Disk& disk, const DiskCosts& costs) {
                    "give it as platforms/README.md shows");
 }
 
+/// Made by the first rank that comes by; lives as long as the simulation.
+DiskArm& arm_of(s4u::Disk& disk, const DiskCosts& costs) {
+  if (disk.get_data<DiskArm>() == nullptr) {
+    auto arm = std::make_unique<DiskArm>();
+    arm->seek_s = seek_s(disk, costs);
+    if (const char* others = disk.get_property("background")) {
+      arm->others = BackgroundLoad(others, "platform", "disk " + disk.get_name() + ": background");
+    }
+    disk.set_data(arm.release());
+  }
+  return *disk.get_data<DiskArm>();
+}
+
 /// A disk and the host that it hangs on.
 struct Server {
   s4u::Host* host = nullptr;
   s4u::Disk* disk = nullptr;
 };
 
-std::vector<Server> common_servers() {
+bool has_property(const s4u::Host& host, const char* key, const char* value) {
+  const char* is = host.get_property(key);
+  return is != nullptr && std::string(is) == value;
+}
+
+/// The disks of the common directory, as seen from `here`.
+std::vector<Server> common_servers(s4u::Host& here) {
   std::vector<Server> servers;
+  // All ranks were placed before the first one ran.
+  const bool alone = here.get_actor_count() == s4u::Engine::get_instance()->get_actor_count();
+  if (alone && has_property(here, "serves", "alone")) {
+    for (s4u::Disk* disk : here.get_disks()) servers.push_back({&here, disk});
+    if (!servers.empty()) return servers;
+  }
   for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
-    const char* serves = host->get_property("serves");
-    if (serves == nullptr || std::string(serves) != "common") continue;
+    if (!has_property(*host, "serves", "common")) continue;
     for (s4u::Disk* disk : host->get_disks()) servers.push_back({host, disk});
   }
   if (servers.empty()) {
@@ -67,10 +89,10 @@ std::vector<Server> common_servers() {
 class SimulatedMachine final : public Machine {
  public:
   explicit SimulatedMachine(const CostModel& costs)
-      : costs_(costs), here_(s4u::this_actor::get_host()), common_(common_servers()) {
+      : costs_(costs), here_(s4u::this_actor::get_host()), common_(common_servers(*here_)) {
     // All disks, so that every rank refuses the same platform.
     for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
-      for (s4u::Disk* disk : host->get_disks()) seek_s(*disk, costs_.disk);
+      for (s4u::Disk* disk : host->get_disks()) arm_of(*disk, costs_.disk);
     }
     if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front()};
     if (const char* memory = here_->get_property("memory")) {
@@ -131,16 +153,16 @@ class SimulatedMachine final : public Machine {
     const bool remote = server.host != here_;
     if (remote) s4u::this_actor::sleep_for(costs_.disk.request_s);
     if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
-    const s4u::MutexPtr queue = arm_of(*server.disk).queue;
+    DiskArm& arm = arm_of(*server.disk, costs_.disk);
     // The arm serves one request at a time, so the transfer has the disk's whole bandwidth: what
     // SimGrid's own disk activity would take, without its record of every activity ever made, which
     // each later one has to search.
     const double bandwidth =
         reading ? server.disk->get_read_bandwidth() : server.disk->get_write_bandwidth();
-    queue->lock();
-    s4u::this_actor::sleep_for(seek_s(*server.disk, costs_.disk) +
-                               static_cast<double>(bytes) / bandwidth);
-    queue->unlock();
+    arm.queue->lock();
+    const double seconds = arm.seek_s + static_cast<double>(bytes) / bandwidth;
+    s4u::this_actor::sleep_for(arm.others.end_s(now_s(), seconds) - now_s());
+    arm.queue->unlock();
     if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
   }
 

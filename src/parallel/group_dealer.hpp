@@ -24,7 +24,6 @@ namespace enfilade {
 /// iteration.
 class GroupDealer final : public Dealer {
  public:
-  /// `prepared` must outlive it.
   GroupDealer(const Prepared& prepared, int slaves, const Order& order, const VisibilityCost& cost,
               bool steal);
   void start() override;

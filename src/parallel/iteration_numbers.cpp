@@ -1,4 +1,6 @@
 // Plans and sums as plain numbers, for the token, the verdict and the manifest.
+#include <array>
+
 #include "base/error.hpp"
 #include "parallel/iteration_plan.hpp"
 
@@ -26,11 +28,18 @@ class Numbers {
   std::span<const double> numbers_;
 };
 
-constexpr std::size_t plan_numbers = 6;
+constexpr std::size_t plan_numbers = 9;
 
 void add_bands(Spectrum& sum, const Spectrum& part) {
   if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
   for (std::size_t b = 0; b < part.size(); ++b) sum[b] += part[b];
+}
+
+/// All of them have as many bands, or none.
+template <class Sums>
+auto spectra_of(Sums& s) {
+  return std::array{&s.arriving_power, &s.returning_power,  &s.absorbed_power, &s.escaping_power,
+                    &s.residual.light, &s.residual.surplus, &s.residual.off,   &s.residual.noise};
 }
 
 }  // namespace
@@ -40,12 +49,16 @@ void add(IterationSums& sums, const IterationSums& part) {
   sums.change_power += part.change_power;
   sums.received_power += part.received_power;
   sums.link_error_power += part.link_error_power;
+  sums.link_doubt_power += part.link_doubt_power;
   sums.patches += part.patches;
   sums.links += part.links;
   sums.steals += part.steals;
   sums.steal_requests += part.steal_requests;
+  add_bands(sums.arriving_power, part.arriving_power);
+  add_bands(sums.returning_power, part.returning_power);
   add_bands(sums.absorbed_power, part.absorbed_power);
   add_bands(sums.escaping_power, part.escaping_power);
+  add(sums.residual, part.residual);
   sums.work += part.work;
 }
 
@@ -55,6 +68,7 @@ Token to_token(const IterationSums& s) {
   token.sums = {s.change_power,
                 s.received_power,
                 s.link_error_power,
+                s.link_doubt_power,
                 number(s.patches),
                 number(s.links),
                 number(s.steals),
@@ -67,8 +81,9 @@ Token to_token(const IterationSums& s) {
                 number(s.work.patches),
                 number(s.work.push_pulls),
                 number(s.work.shafts)};
-  token.sums.insert(token.sums.end(), s.absorbed_power.begin(), s.absorbed_power.end());
-  token.sums.insert(token.sums.end(), s.escaping_power.begin(), s.escaping_power.end());
+  for (const Spectrum* bands : spectra_of(s)) {
+    token.sums.insert(token.sums.end(), bands->begin(), bands->end());
+  }
   return token;
 }
 
@@ -79,6 +94,7 @@ IterationSums sums_from(const Token& token) {
   s.change_power = sums.next();
   s.received_power = sums.next();
   s.link_error_power = sums.next();
+  s.link_doubt_power = sums.next();
   s.patches = sums.next_count();
   s.links = sums.next_count();
   s.steals = sums.next_count();
@@ -91,17 +107,24 @@ IterationSums sums_from(const Token& token) {
   s.work.patches = sums.next_count();
   s.work.push_pulls = sums.next_count();
   s.work.shafts = sums.next_count();
-  const auto bands = sums.rest();  // both have as many
-  const auto half = bands.begin() + static_cast<std::ptrdiff_t>(bands.size() / 2);
-  s.absorbed_power.assign(bands.begin(), half);
-  s.escaping_power.assign(half, bands.end());
+  const auto spectra = spectra_of(s);
+  const std::size_t bands = sums.rest().size() / spectra.size();
+  for (Spectrum* spectrum : spectra) {
+    for (std::size_t b = 0; b < bands; ++b) spectrum->push_back(sums.next());
+  }
   return s;
 }
 
 std::vector<double> to_numbers(const IterationPlan& plan) {
-  return {
-      static_cast<double>(plan.iteration), plan.link_tolerance,       plan.refine ? 1.0 : 0.0,
-      plan.close_rows ? 1.0 : 0.0,         plan.finished ? 1.0 : 0.0, plan.converged ? 1.0 : 0.0};
+  return {static_cast<double>(plan.iteration),
+          plan.link_tolerance,
+          plan.refine ? 1.0 : 0.0,
+          plan.close_rows ? 1.0 : 0.0,
+          plan.sample ? 1.0 : 0.0,
+          static_cast<double>(plan.sample_rays),
+          plan.received_power,
+          plan.finished ? 1.0 : 0.0,
+          plan.converged ? 1.0 : 0.0};
 }
 
 IterationPlan plan_from(std::span<const double> numbers) {
@@ -111,6 +134,9 @@ IterationPlan plan_from(std::span<const double> numbers) {
   plan.link_tolerance = n.next();
   plan.refine = n.next() != 0.0;
   plan.close_rows = n.next() != 0.0;
+  plan.sample = n.next() != 0.0;
+  plan.sample_rays = static_cast<int>(n.next());
+  plan.received_power = n.next();
   plan.finished = n.next() != 0.0;
   plan.converged = n.next() != 0.0;
   return plan;
@@ -119,7 +145,11 @@ IterationPlan plan_from(std::span<const double> numbers) {
 std::vector<double> to_numbers(const IterationSummary& summary) {
   std::vector<double> numbers = to_numbers(summary.plan);
   numbers.push_back(summary.missing_power);
-  numbers.push_back(summary.estimated_error);
+  numbers.push_back(summary.error.discretisation);
+  numbers.push_back(summary.error.visibility);
+  numbers.push_back(summary.error.iteration);
+  numbers.push_back(summary.error.patches);
+  numbers.push_back(summary.error.iteration_bound);
   numbers.push_back(summary.time_s);
   const Token token = to_token(summary.sums);
   numbers.insert(numbers.end(), token.maxima.begin(), token.maxima.end());
@@ -132,7 +162,11 @@ IterationSummary summary_from(std::span<const double> numbers) {
   summary.plan = plan_from(numbers);
   Numbers n(numbers.subspan(plan_numbers));
   summary.missing_power = n.next();
-  summary.estimated_error = n.next();
+  summary.error.discretisation = n.next();
+  summary.error.visibility = n.next();
+  summary.error.iteration = n.next();
+  summary.error.patches = n.next();
+  summary.error.iteration_bound = n.next();
   summary.time_s = n.next();
   Token token;
   token.maxima = {n.next()};

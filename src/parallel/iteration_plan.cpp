@@ -7,10 +7,6 @@
 namespace enfilade {
 namespace {
 
-/// The links' errors have either sign, and mostly cancel where they meet: against the exact answers
-/// of closed scenes the light was off by a fifth (two rooms and a door) to a twentieth (an empty
-/// room) of their sum.
-constexpr double share_that_stays = 0.25;
 /// How the sum of the links' errors falls with their tolerance, measured: about its cube root.
 constexpr double tolerance_order = 3.0;
 
@@ -20,37 +16,49 @@ double first_epsilon(const PlanConfig& config) {
 double tolerance_of(const PlanConfig& config) {
   return config.tolerance > 0.0 ? config.tolerance : 0.02 * config.target_error;
 }
+double worst_band(const Spectrum& power) {
+  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
+}
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;
   return received > 0.0 ? power / received : 1.0;
+}
+
+/// What noise there is gets measured; it only must not drown the asked error.
+int rays_of_a_sample(const PlanConfig& config) {
+  return static_cast<int>(std::clamp(4.0 / config.target_error, 64.0, 1024.0));
+}
+
+/// The links that there are now have been sampled.
+bool sampled(std::span<const IterationSummary> history) {
+  for (std::size_t i = history.size(); i-- > 0;) {
+    if (history[i].plan.sample) return true;
+    if (history[i].sums.work.links_refined > 0) return false;
+  }
+  return false;
+}
+
+/// A finer tolerance that found nothing to refine will not find more when it is finer still.
+bool nothing_finer(std::span<const IterationSummary> history) {
+  const IterationSummary* finer = nullptr;  // the last refining one
+  for (std::size_t i = history.size(); i-- > 0;) {
+    if (!history[i].plan.refine) continue;
+    if (finer == nullptr) {
+      finer = &history[i];
+      if (finer->sums.work.links_refined > 0) return false;
+    } else {
+      return finer->plan.link_tolerance < history[i].plan.link_tolerance;
+    }
+  }
+  return false;
 }
 
 }  // namespace
 
 IterationPlan first_plan(const PlanConfig& config) {
   IterationPlan plan;
-  plan.link_tolerance = first_epsilon(config) * config.emitted_power;
+  plan.link_tolerance = first_epsilon(config) * worst_band(config.emitted_power);
   return plan;
-}
-
-double contraction(std::span<const IterationSummary> history) {
-  if (history.size() < 2) return 0.0;
-  const double before = history[history.size() - 2].sums.change_power;
-  const double now = history.back().sums.change_power;
-  return before > 0.0 ? std::min(now / before, 0.9999) : 0.0;
-}
-
-double estimate_error(std::span<const IterationSummary> history) {
-  if (history.empty()) return 1.0;
-  const IterationSums& last = history.back().sums;
-  // What the iterations to come would still add: a geometric series of the last change (the
-  // difference of two iterations alone understates it where light dies away slowly). The coarse
-  // correction takes care of the slow part, and tells how much that was.
-  const double missing = history.back().missing_power;
-  const double passed_on =
-      missing > 0.0 ? std::min(contraction(history), 0.5) : contraction(history);
-  const double to_come = last.change_power * passed_on / (1.0 - passed_on) + missing;
-  return relative(share_that_stays * last.link_error_power + to_come, last.received_power);
 }
 
 IterationPlan next_plan(std::span<const IterationSummary> history, const PlanConfig& config) {
@@ -58,7 +66,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const IterationSummary& last = history.back();
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
-  plan.finished = plan.converged = false;
+  plan.finished = plan.converged = plan.sample = false;
+  plan.received_power = last.sums.received_power;
   // Light has been everywhere once the change falls below what arrives.
   const double change = relative(last.sums.change_power, last.sums.received_power);
   const bool settled = change < 0.1;
@@ -68,30 +77,32 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   if (!settled && config.epsilon <= 0.0) {
     plan.link_tolerance =
         first_epsilon(config) *
-        std::max(config.emitted_power, last.sums.received_power + last.missing_power);
+        std::max(worst_band(config.emitted_power), last.sums.received_power + last.missing_power);
   }
   // Refining again what was not touched last time finds nothing new, as long as the light hardly
   // changes.
   const bool few_refined = last.sums.work.links_refined * 1000 <= last.sums.links;
+  const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
-  const double still =
-      relative(last.sums.change_power + last.missing_power, last.sums.received_power);
-  const bool quiet = still <= tolerance_of(config) && last.plan.close_rows == plan.close_rows;
+  const bool quiet = links_done && last.error.iteration_bound <= tolerance_of(config);
+  // Both what is read off the patches and what is gathered from them shall be as good as asked.
   const double links_error =
-      relative(share_that_stays * last.sums.link_error_power, last.sums.received_power);
-  const bool fine = config.epsilon > 0.0 || links_error <= 0.9 * config.target_error;
-  // A finer tolerance that found nothing to refine will not find more when it is finer still.
-  const bool finest = history.size() > 1 && last.sums.work.links_refined == 0 && last.plan.refine &&
-                      last.plan.link_tolerance < history[history.size() - 2].plan.link_tolerance;
-  if (settled && few_refined && !fine && !finest) {
+      std::max(last.error.patches, last.error.total()) - last.error.iteration;
+  const bool fine = links_error <= 0.9 * config.target_error;
+  const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
+  if (out_of_iterations) {
+    plan.finished = true;
+    plan.converged = quiet && fine && sampled(history);
+  } else if (quiet && !sampled(history)) {
+    plan.sample = true;
+    plan.sample_rays = rays_of_a_sample(config);
+  } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history)) {
     const double factor = std::pow(0.8 * config.target_error / links_error, tolerance_order);
     plan.link_tolerance *= std::clamp(factor, 1.0 / 32.0, 0.7);
     plan.refine = true;
-  } else if (quiet && few_refined) {
+  } else if (quiet) {
     plan.finished = true;
-    plan.converged = fine;
-  } else if (last.plan.iteration >= config.max_iterations) {
-    plan.finished = true;
+    plan.converged = fine || config.epsilon > 0.0;
   }
   return plan;
 }

@@ -16,9 +16,12 @@ struct IterationPlan {
   int iteration = 1;            ///< the one that the plan is for; 0 is the state before the first
   double link_tolerance = 0.0;  ///< GatherConfig::link_tolerance
   bool refine = true;
-  bool close_rows = false;  ///< GatherConfig::close_rows
-  bool finished = false;    ///< there is no such iteration: the run ends
-  bool converged = false;   ///< it ends because it is good enough, not because it gave up
+  bool close_rows = false;      ///< GatherConfig::close_rows
+  bool sample = false;          ///< gather anew at sampled points: ResidualSamples
+  int sample_rays = 0;          ///< a point
+  double received_power = 0.0;  ///< of the iteration before
+  bool finished = false;        ///< there is no such iteration: the run ends
+  bool converged = false;       ///< it ends because it is good enough, not because it gave up
 };
 
 /// Sums over all clusters of one iteration, as the token brought them round.
@@ -27,28 +30,38 @@ struct IterationSums {
   double change_power = 0.0;      ///< sum of area |B(k) - B(k-1)|
   double received_power = 0.0;    ///< sum of area * irradiance
   double link_error_power = 0.0;  ///< sum of the links' estimated errors
+  double link_doubt_power = 0.0;  ///< what of that is doubt about visibility
   std::uint64_t patches = 0, links = 0;
   std::uint64_t steals = 0, steal_requests = 0;
-  Spectrum absorbed_power;  ///< per band
-  Spectrum escaping_power;  ///< per band: GatherResult::escaping_power
-  WorkCount work;           ///< of this iteration
+  // Per band, as in GatherResult.
+  Spectrum arriving_power, returning_power, absorbed_power, escaping_power;
+  ResidualSums residual;  ///< empty or zero where nothing was sampled
+  WorkCount work;         ///< of this iteration
 };
 /// Folds one part (a cluster's, a rank's) into another.
 void add(IterationSums& sums, const IterationSums& part);
+
+/// Errors of the irradiance, relative, area-weighted L1; see error_estimate.hpp.
+struct ErrorEstimate {
+  double discretisation = 0.0, visibility = 0.0, iteration = 0.0;  ///< of points gathered for
+  double patches = 0.0;          ///< of what is read off the patches, all parts together
+  double iteration_bound = 0.0;  ///< what iterations to come can change at most
+  double total() const { return discretisation + visibility + iteration; }
+};
 
 /// One committed iteration.
 struct IterationSummary {
   IterationPlan plan;
   IterationSums sums;
-  double missing_power = 0.0;    ///< what the coarse system says the iteration still lacked
-  double estimated_error = 0.0;  ///< of the irradiance, relative, area-weighted L1
-  double time_s = 0.0;           ///< since the start of the solve: wall clock or simulated
+  double missing_power = 0.0;  ///< what the coarse system says the iteration still lacked
+  ErrorEstimate error;
+  double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated
 };
 
 struct PlanConfig {
-  double emitted_power = 0.0;  ///< worst band; what epsilon is relative to
-  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
-  double tolerance = 0.0;  ///< stop below this change_power / received_power; 0 = from target_error
+  Spectrum emitted_power;
+  double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
+  double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;
   int max_iterations = 200;
 };
@@ -57,10 +70,6 @@ struct PlanConfig {
 IterationPlan first_plan(const PlanConfig& config);
 /// Plan of the iteration after the last of `history` (all iterations so far, in order). Pure.
 IterationPlan next_plan(std::span<const IterationSummary> history, const PlanConfig& config);
-/// Share of the change that one iteration passes on to the next; 0 where there is no telling yet.
-double contraction(std::span<const IterationSummary> history);
-/// Discretisation plus iteration error of the last of `history`, relative to the received power.
-double estimate_error(std::span<const IterationSummary> history);
 
 /// To and from the messages and the manifest. `*_from` throw RunError for numbers that are none.
 Token to_token(const IterationSums& sums);

@@ -23,7 +23,6 @@ Verdict Judge::decide(const IterationPlan& plan, const Token& token) {
   const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
   summary.missing_power = correction.missing_power;
   history_.push_back(summary);
-  history_.back().estimated_error = estimate_error(history_);
   const IterationPlan next = plan_next_(history_);
   work_.commit(history_, correction.changes, next.finished);
   if (observer_) observer_(history_.back());

@@ -10,8 +10,9 @@
 
 namespace enfilade {
 
-/// With the summaries of all iterations so far: what follows.
-using PlanNext = std::function<IterationPlan(const std::vector<IterationSummary>& history)>;
+/// With the sums of all ranks of an iteration as the last of `history`: sets its error, and says
+/// what follows.
+using PlanNext = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 /// After each committed iteration.
 using SummaryObserver = std::function<void(const IterationSummary&)>;
 

@@ -29,8 +29,8 @@ std::string options_of(const PrepareConfig& config) {
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
-  const auto& [first_rays, rays, max_pair_parts, max_planes, most_open, max_pieces, pair_seed] =
-      occlusion;
+  const auto& [first_rays, rays, max_pair_parts, group_rays, group_parts, window_rays, window_parts,
+               max_planes, most_open, max_pieces, pair_seed] = occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -49,6 +49,10 @@ std::string options_of(const PrepareConfig& config) {
                                        {"occlusion_first_rays", first_rays},
                                        {"occlusion_rays", rays},
                                        {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_group_rays", group_rays},
+                                       {"occlusion_group_parts", group_parts},
+                                       {"occlusion_window_rays", window_rays},
+                                       {"occlusion_window_parts", window_parts},
                                        {"occlusion_max_planes", max_planes},
                                        {"occlusion_most_open", most_open},
                                        {"occlusion_max_pieces", max_pieces},
@@ -139,6 +143,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   claim_run_directory(run_directory);
   remove_directory(run_directory + "/common");
   remove_directory(run_directory + "/local");
+  remove_directory(run_directory + "/costs");
   keep_scene(p.scene, run_directory + "/scene.json");
   replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));

@@ -10,21 +10,37 @@ std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
   return most == group_of_cluster.end() ? 0 : *most + 1;
 }
 
+/// The groups in a row of the coarse system, each once.
+std::vector<std::uint32_t> coupled_groups(const CoarseRow& row,
+                                          std::span<const std::uint32_t> group_of_cluster) {
+  std::vector<std::uint32_t> groups;
+  for (const CoarseRow::Entry& entry : row.entries) {
+    groups.push_back(group_of_cluster[entry.shooter.index()]);
+  }
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  return groups;
+}
+
 }  // namespace
 
 RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                             Machine& machine, const RadiosityWorkConfig& config)
+                             Machine& machine, CostRecorder& recorder,
+                             const RadiosityWorkConfig& config)
     : prepared_(prepared),
       layout_(layout),
       files_(files),
       machine_(machine),
+      recorder_(recorder),
       config_(config),
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
       group_of_cluster_(coarse_groups(prepared.clusters)),
       groups_(count_groups(group_of_cluster_)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
-      coarse_(groups_, bands_) {}
+      coarse_(groups_, bands_) {
+  for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
+}
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   files_.set_committed(plan.iteration - 1);
@@ -36,13 +52,28 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   });
   // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
   // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.jacobi || (config_.same_on_any_ranks && plan.refine));
+  resident_.set_committed_only(config_.jacobi ||
+                               (config_.same_on_any_ranks && (plan.refine || plan.sample)));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
   gather_config_.close_rows = plan.close_rows;
+  gather_config_.residual = {};
+  if (plan.sample) gather_config_.residual = sampling(plan);
   gather_config_.refinement.max_depth = config_.max_depth;
   gather_config_.refinement.min_area_m2 = config_.min_area_m2;
+}
+
+/// Half of the points go by area, half by the light that arrives.
+ResidualConfig RadiosityWork::sampling(const IterationPlan& plan) const {
+  constexpr double points = 256.0;
+  ResidualConfig config;
+  if (plan.received_power <= 0.0 || area_m2_ <= 0.0) return config;
+  config.rays = plan.sample_rays;
+  config.per_area = 0.5 * points / area_m2_;
+  config.per_power = 0.5 * points / plan.received_power;
+  config.mean_irradiance = plan.received_power / area_m2_;
+  return config;
 }
 
 std::vector<ClusterId> RadiosityWork::visible_to(ClusterId receiver) const {
@@ -71,20 +102,31 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
       prepared_.scene.lights, occluders_, gather_config_);
   machine_.compute(result.work);
   coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
-  resident_.write_receiver(receiver);
+  const WrittenReceiver written = resident_.write_receiver(receiver);
 
   IterationSums sums;
   sums.max_change = result.max_change;
   sums.change_power = result.change_power;
   sums.received_power = result.received_power;
   sums.link_error_power = result.link_error_power;
+  sums.link_doubt_power = result.link_doubt_power;
+  sums.arriving_power = result.arriving_power;
+  sums.returning_power = result.returning_power;
+  sums.residual = result.residual;
   sums.absorbed_power = result.absorbed_power;
   sums.escaping_power = result.escaping_power;
   sums.work = result.work;
   sums.patches = state.patches().size();
   sums.links = state.links().size();
   resident_.unpin();
+  recorder_.add({receiver, sums, written.patches, written.links,
+                 coupled_groups(result.coarse, group_of_cluster_)});
   return sums;
+}
+
+void RadiosityWork::move_to_common() {
+  files_.move_to_common();
+  recorder_.write(files_.committed() + 1);
 }
 
 std::vector<double> RadiosityWork::merge(std::span<const double> a,

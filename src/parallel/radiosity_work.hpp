@@ -5,6 +5,7 @@
 
 #include "machine/machine.hpp"
 #include "parallel/cluster_work.hpp"
+#include "parallel/gather_cost.hpp"
 #include "parallel/prepare.hpp"
 #include "radiosity/coarse_correction.hpp"
 #include "radiosity/occluders.hpp"
@@ -29,7 +30,7 @@ class RadiosityWork final : public ClusterWork {
  public:
   /// All but `config` must outlive it.
   RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                Machine& machine, const RadiosityWorkConfig& config);
+                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
 
   /// Takes in a cluster as it is before the first iteration; its files must be there.
   void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
@@ -41,7 +42,7 @@ class RadiosityWork final : public ClusterWork {
   IterationSums gather(ClusterId receiver) override;
   void hold(std::span<const ClusterId> receivers) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
-  void move_to_common() override { files_.move_to_common(); }
+  void move_to_common() override;
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   Correction correct(std::span<const double> coarse) const override;
@@ -51,6 +52,7 @@ class RadiosityWork final : public ClusterWork {
   ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
+  ResidualConfig sampling(const IterationPlan& plan) const;
   /// In ascending order, itself among them.
   std::vector<ClusterId> visible_to(ClusterId receiver) const;
 
@@ -58,12 +60,14 @@ class RadiosityWork final : public ClusterWork {
   const RunLayout& layout_;
   ClusterFiles& files_;
   Machine& machine_;
+  CostRecorder& recorder_;
   RadiosityWorkConfig config_;
   ResidentClusters resident_;
   Occluders occluders_;
   GatherConfig gather_config_;
   std::vector<std::uint32_t> group_of_cluster_;
   std::size_t groups_ = 0, bands_ = 1;
+  double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/error_estimate.hpp"
 #include "parallel/peak_memory.hpp"
 
 namespace enfilade {
@@ -57,8 +58,13 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
   record.set(
       "residual",
       RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
-  record.set("estimated_error",
-             RunRecord::Value(history.empty() ? 1.0 : history.back().estimated_error));
+  const ErrorEstimate error = estimate_error(history, emitted);
+  record.set("estimated_error", RunRecord::Value(error.total()));
+  record.set("estimated_discretisation_error", RunRecord::Value(error.discretisation));
+  record.set("estimated_visibility_error", RunRecord::Value(error.visibility));
+  record.set("estimated_iteration_error", RunRecord::Value(error.iteration));
+  record.set("estimated_patch_error", RunRecord::Value(error.patches));
+  record.set("iteration_error_bound", RunRecord::Value(error.iteration_bound));
   // Emitted less absorbed: zero in a closed scene. And what of that the rays saw go.
   record.set("flux_balance", RunRecord::Value(largest_share(emitted, end.absorbed_power)));
   Spectrum stays = emitted;

@@ -2,60 +2,23 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "base/error.hpp"
 #include "parallel/cell_dealer.hpp"
 #include "parallel/dealing.hpp"
+#include "parallel/error_estimate.hpp"
 #include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
 #include "parallel/radiosity_work.hpp"
-#include "parallel/run_statistics.hpp"
+#include "parallel/run_ranks.hpp"
 #include "parallel/spmd.hpp"
 #include "store/posix_file.hpp"
 
 namespace enfilade {
 namespace {
 
-double worst_band(const Spectrum& power) {
-  return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
-}
-
 double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::vector<ClusterId> own_clusters(const Prepared& prepared, const SolveConfig& config, Rank rank,
-                                    int ranks) {
-  const std::vector<Rank> owner = assign_clusters(prepared, config, ranks);
-  std::vector<ClusterId> own;
-  for (std::size_t i = 0; i < owner.size(); ++i) {
-    if (owner[i] == rank) own.emplace_back(i);
-  }
-  return own;
-}
-
-/// Bytes of a cluster as it comes from the disk for the first time, near enough to order a tour by.
-std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis) {
-  std::vector<std::uint64_t> bytes;
-  const auto values =
-      static_cast<std::uint64_t>(prepared.scene.bands) * static_cast<std::uint64_t>(basis);
-  for (const Cluster& cluster : prepared.clusters) {
-    bytes.push_back(256 + cluster.polygons.size() * (320 + 16 * values));
-  }
-  return bytes;
-}
-
-/// What each cluster emits, in its brightest band; the scene's point lights are on none.
-std::vector<double> emitted_powers(const Prepared& prepared) {
-  const Spectrum points = emitted_power(prepared.scene, {});
-  std::vector<double> powers;
-  for (const Cluster& cluster : prepared.clusters) {
-    Spectrum power = emitted_power(prepared.scene, {&cluster, 1});
-    for (std::size_t b = 0; b < power.size(); ++b) power[b] -= points[b];
-    powers.push_back(worst_band(power));
-  }
-  return powers;
 }
 
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,
@@ -74,17 +37,20 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
 /// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
 /// keeps them in memory where it is going to gather for them.
 void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
-                Communicator& communicator, RadiosityWork& work, std::span<const ClusterId> own,
-                bool keep) {
+                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
+                std::span<const ClusterId> own, bool keep) {
   communicator.on_root([&] {
     make_directory(store.layout().common());
     remove_manifest(store.layout());
+    drop_costs(store.layout().run, -1);
   });
   for (const ClusterId id : own) {
     ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
     store.write_initial(state);
+    recorder.add_start(state);
     if (keep) work.adopt(std::move(state));
   }
+  recorder.write(0);
   communicator.barrier();
   communicator.on_root([&] { work.commit({}, {}, false); });
 }
@@ -119,7 +85,7 @@ bool has_master(const SolveConfig& config, const Communicator& communicator) {
 
 IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const IterationPlan& plan,
                       const std::vector<double>& changes, std::vector<IterationSummary>& history,
-                      const PlanNext& plan_next, const SummaryObserver& observer) {
+                      const PlanNext& plan_next, const IterationObserver& observer) {
   const bool correction = s.config.coarse_correction;
   if (!has_master(s.config, s.communicator)) {
     TaskList tasks({own.begin(), own.end()}, s.cost, s.order());
@@ -153,48 +119,44 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
 
   const std::vector<ClusterId> own =
-      own_clusters(prepared, config, communicator.rank(), communicator.size());
-  const VisibilityCost cost(prepared.graph, expected_bytes(prepared, basis),
-                            memory > 0 ? memory : std::numeric_limits<std::uint64_t>::max());
+      clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
+  const VisibilityCost cost = tour_cost(prepared, basis, memory);
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
+  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
   RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
+                     recorder,
                      {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
                       config.jacobi, config.memory_manager});
-  if (!manifest) {
-    start_anew(prepared, basis, store, communicator, work, own, !has_master(config, communicator));
+  if (manifest) {
+    communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
+  } else {
+    start_anew(prepared, basis, store, communicator, work, recorder, own,
+               !has_master(config, communicator));
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
-  const PlanConfig plan_config{.emitted_power = worst_band(emitted),
+  const PlanConfig plan_config{.emitted_power = emitted,
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
-  communicator.barrier();
-
-  const double start_s = machine.now_s();
-  const TimeUse before = machine.time_use();
-  const MessageCount sent_before = communicator.sent();
-  const IterationPlan last = iterate(
-      {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
-      manifest ? manifest->correction : std::vector<double>{}, history,
-      [&](const std::vector<IterationSummary>& so_far) { return next_plan(so_far, plan_config); },
-      observer);
-
-  const TimeUse after = machine.time_use();
-  const RankStatistics mine{
-      {after.compute_s - before.compute_s, after.io_s - before.io_s, after.idle_s - before.idle_s},
-      machine.now_s() - start_s,
-      store.count(),
-      work.residency_count(),
-      {communicator.sent().messages - sent_before.messages,
-       communicator.sent().bytes - sent_before.bytes}};
-  RunRecord record =
-      gather_statistics(prepared, basis, emitted, history, last, mine, communicator, machine);
+  const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
+    return iterate(
+        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
+        manifest ? manifest->correction : std::vector<double>{}, so_far,
+        [&](std::vector<IterationSummary>& done) {
+          done.back().error = estimate_error(done, emitted);
+          return next_plan(done, plan_config);
+        },
+        observer);
+  };
+  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+                                [&] { return std::pair(store.count(), work.residency_count()); }},
+                               communicator, machine, iterate_all);
   if (communicator.root()) {
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));

@@ -1,11 +1,16 @@
 #include "radiosity/bright_polygons.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "radiosity/form_factor.hpp"
+#include "radiosity/visible_parts.hpp"
 
 namespace enfilade {
 namespace {
+
+/// Up to so many are cut away exactly.
+constexpr std::size_t most_occluders = 16;
 
 double top_radiosity(const PatchForest& f, std::size_t k) {
   const auto terms = static_cast<std::size_t>(f.terms());
@@ -42,10 +47,11 @@ BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occ
     const PatchForest& f = c.patches();
     for (std::uint32_t k = 0; k < f.polygons(); ++k) {
       const double top = top_radiosity(f, k);
-      if (top <= limit || limit <= 0.0) continue;
+      if (top <= 0.0) continue;
       const std::uint32_t number = occluders.global(c.id(), k);
-      is_bright_[number] = true;
-      bright_.push_back({number, &f, k, corners_of(f, k, f.node(k).shape), top});
+      is_bright_[number] = top > limit;
+      (top > limit ? bright_ : others_)
+          .push_back({number, &f, k, corners_of(f, k, f.node(k).shape), top});
     }
   }
 }
@@ -75,27 +81,64 @@ double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_
          visible_factor(p, n, own, b, high, threshold, depth + 1);
 }
 
-void BrightPolygons::add_all(const Vec3& p, const Vec3& n, std::uint32_t own,
-                             Spectrum& irradiance) const {
-  // A hidden part smaller than a thousandth of all that is bright here does not matter.
-  double total = 0.0;
-  std::vector<double> weight(bright_.size(), 0.0);
-  for (std::size_t i = 0; i < bright_.size(); ++i) {
-    const Bright& b = bright_[i];
+/// What each would give at p if nothing hid it.
+std::vector<double> BrightPolygons::weights(const std::vector<Bright>& polygons, const Vec3& p,
+                                            const Vec3& n, std::uint32_t own) {
+  std::vector<double> weight(polygons.size(), 0.0);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Bright& b = polygons[i];
     const PolygonFrame& frame = b.forest->frames()[b.k];
     if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
     weight[i] = point_to_polygon(p, n, b.corners) * b.top;
-    total += weight[i];
   }
-  for (std::size_t i = 0; i < bright_.size(); ++i) {
-    if (weight[i] <= 1e-6 * total || weight[i] <= 0.0) continue;
-    const Bright& b = bright_[i];
-    const double factor =
-        visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total / b.top, 0);
+  return weight;
+}
+
+/// False where too much stands between.
+bool BrightPolygons::exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                                  double& factor) const {
+  std::vector<std::uint32_t> between;
+  if (!occluders_->find_between({p}, b.corners, own, b.polygon, most_occluders, between)) {
+    return false;
+  }
+  VisibleParts parts;
+  parts.begin(p, b.corners, occluders_->tolerance_m());
+  for (const std::uint32_t occluder : between) {
+    if (!parts.hide(occluders_->polygon(occluder))) return false;
+  }
+  factor = parts.factor(n);
+  return true;
+}
+
+std::vector<char> BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                              Spectrum& irradiance) const {
+  std::vector<char> counted(is_bright_.size(), 0);
+  const std::vector<double> bright = weights(bright_, p, n, own);
+  const std::vector<double> other = weights(others_, p, n, own);
+  const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
+  const double total = std::accumulate(other.begin(), other.end(), total_bright);
+  const auto add = [&](const Bright& b, double factor) {
+    counted[b.polygon] = 1;
     for (std::size_t band = 0; band < irradiance.size(); ++band) {
       irradiance[band] += factor * b.radiosity(band);
     }
+  };
+  double factor = 0.0;
+  for (std::size_t i = 0; i < bright_.size(); ++i) {
+    if (bright[i] <= 1e-6 * total_bright || bright[i] <= 0.0) continue;
+    const Bright& b = bright_[i];
+    // A hidden part smaller than a thousandth of all that is bright here does not matter.
+    if (!exact_factor(p, n, own, b, factor)) {
+      factor =
+          visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total_bright / b.top, 0);
+    }
+    add(b, factor);
   }
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    if (other[i] <= 5e-3 * total || !exact_factor(p, n, own, others_[i], factor)) continue;
+    add(others_[i], factor);
+  }
+  return counted;
 }
 
 std::vector<double> BrightPolygons::weights_near(const Vec3& p) const {

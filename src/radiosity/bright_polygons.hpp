@@ -17,9 +17,12 @@ class BrightPolygons {
   BrightPolygons(std::span<const ClusterState> clusters, const Occluders& occluders);
 
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
-  /// Adds to `irradiance` what all of them give at p, partly hidden ones looked at as closely as
-  /// they matter. `own`: the polygon that p lies on.
-  void add_all(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& irradiance) const;
+  /// Adds to `irradiance` what the mean radiosities of all of them give at p, and those of all
+  /// others that may give a two-hundredth of the light there and are hidden by few. Exactly, but
+  /// for bright ones that many hide: these are looked at as closely as they matter. Returns by
+  /// polygon whether it was counted. `own`: the polygon that p lies on.
+  std::vector<char> add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                Spectrum& irradiance) const;
 
   /// How likely each is to be picked for points near p.
   std::vector<double> weights_near(const Vec3& p) const;
@@ -39,11 +42,15 @@ class BrightPolygons {
       return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
     }
   };
+  static std::vector<double> weights(const std::vector<Bright>& polygons, const Vec3& p,
+                                     const Vec3& n, std::uint32_t own);
+  bool exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                    double& factor) const;
   double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
                         const PatchShape& shape, double threshold, int depth) const;
 
   const Occluders* occluders_;
-  std::vector<Bright> bright_;
+  std::vector<Bright> bright_, others_;
   std::vector<bool> is_bright_;
 };
 

@@ -152,6 +152,19 @@ class ClusterStateCodec {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);
   }
 
+  static void shrink(PatchForest& f) {
+    f.nodes_.shrink_to_fit();
+    f.radiosity_.shrink_to_fit();
+    f.irradiance_.shrink_to_fit();
+    f.deviation_.shrink_to_fit();
+    f.exposure_.shrink_to_fit();
+    for (PatchNode& n : f.nodes_) n.shape.vertices.shrink_to_fit();
+  }
+  static void shrink(LinkSet& l) {
+    l.links_.shrink_to_fit();
+    l.transport_.shrink_to_fit();
+  }
+
  private:
   static void write_node(const PatchNode& n, ByteWriter& w) {
     w.put(n.id);
@@ -193,6 +206,12 @@ ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const 
     links_ = ClusterStateCodec::read_links(l, link_stride(basis_));
     l.expect_end();
   }
+  shrink();
+}
+
+void ClusterState::shrink() {
+  ClusterStateCodec::shrink(patches_);
+  ClusterStateCodec::shrink(links_);
 }
 
 ClusterState ClusterState::shooter() const {

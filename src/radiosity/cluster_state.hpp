@@ -32,6 +32,8 @@ class ClusterState {
 
   /// A copy of what others need of it: everything but the links.
   ClusterState shooter() const;
+  /// Gives back the memory that growing vectors have asked for in advance.
+  void shrink();
   /// Applies a coarse correction: the relative change of all of its light, per band.
   void correct(std::span<const double> changes);
   /// The iteration that it was last gathered for in; 0 = never.

@@ -59,6 +59,19 @@ double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> poly
   return std::clamp(-sum / (2.0 * std::numbers::pi), 0.0, 1.0);
 }
 
+double solid_angle(const Vec3& x, std::span<const Vec3> polygon) {
+  double sum = 0.0;
+  const Vec3 a = polygon[0] - x;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vec3 b = polygon[i - 1] - x, c = polygon[i] - x;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    sum += 2.0 *
+           std::atan2(glm::dot(a, glm::cross(b, c)), la * lb * lc + glm::dot(a, b) * lc +
+                                                         glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return std::abs(sum);
+}
+
 double point_kernel(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3& m) {
   const Vec3 d = y - x;
   const double r2 = glm::dot(d, d);

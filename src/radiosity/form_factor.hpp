@@ -14,6 +14,10 @@ namespace enfilade {
 /// (unit normal of the triangle x, edge) . n.
 double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon);
 
+/// Solid angle (sr) of a planar convex polygon seen from x, from either side (Van Oosterom and
+/// Strackee 1983).
+double solid_angle(const Vec3& x, std::span<const Vec3> polygon);
+
 /// The point-to-point kernel cos cos' / (pi r^2), 1/m2; zero where either faces away.
 double point_kernel(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3& m);
 

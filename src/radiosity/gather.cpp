@@ -26,6 +26,7 @@ class Gatherer {
         first_time_(receiver.iteration() == 0),
         refinement_(receiver, lights, occluders, config.refinement, result_.work),
         closing_(receiver),
+        samples_(receiver, occluders, config.residual, result_.work),
         kept_(receiver.links().stride()),
         light_(bands_ * terms_),
         means_(bands_) {}
@@ -53,6 +54,7 @@ class Gatherer {
   GatherResult result_;
   LinkRefinement refinement_;
   RowClosing closing_;
+  ResidualSamples samples_;
   std::size_t next_ = 0;  ///< link that has not had its turn; they lie in the shooters' order
   LinkSet kept_;          ///< links after refinement
   bool changed_ = false;
@@ -74,12 +76,14 @@ void Gatherer::from_lights() {
   if (first_time_) {
     for (std::uint32_t i = 0; i < lights_.size(); ++i) link_root({}, {i, 1});
   }
+  for (const PointLight& light : lights_) samples_.from(light);
   take_links({}, nullptr, false);
 }
 
 void Gatherer::from(const ClusterState& shooter) {
   if (first_time_) link_root(shooter.id(), shooter.patches().root());
   if (config_.close_rows) closing_.see(shooter);
+  samples_.from(shooter);
   const bool itself = shooter.id() == receiver_.id();
   take_links(shooter.id(), &shooter.patches(), itself || shooter.iteration() < config_.iteration);
 }
@@ -140,6 +144,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     top = std::max(top, std::abs(means_[b]));
   }
   result_.link_error_power += link.error * top + link.variation * variation;
+  result_.link_doubt_power += link.visibility_error() * top;
   ++result_.work.links_gathered;
   if (shooter != nullptr) {
     const double factor = area_factor(receiver_.patches(), link, transport);
@@ -190,6 +195,7 @@ GatherResult Gatherer::finish() {
     }
   }
   push_pull();
+  result_.residual = samples_.compare(receiver_);
   receiver_.set_iteration(config_.iteration);
   return std::move(result_);
 }
@@ -214,6 +220,10 @@ void Gatherer::push_pull() {
   patches.push_pull(gathered_);
   result_.work.push_pulls += patches.size();
   result_.absorbed_power.assign(bands_, 0.0);
+  result_.returning_power.assign(bands_, 0.0);
+  for (const CoarseRow::Entry& entry : result_.coarse.entries) {
+    for (std::size_t b = 0; b < bands_; ++b) result_.returning_power[b] += entry.flow[b];
+  }
   result_.escaping_power.assign(bands_, 0.0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -233,6 +243,7 @@ void Gatherer::push_pull() {
     }
   }
   result_.coarse.after = arriving_power();
+  result_.arriving_power = received;
   result_.received_power = *std::max_element(received.begin(), received.end());
   result_.change_power = *std::max_element(change.begin(), change.end());
 }

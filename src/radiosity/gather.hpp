@@ -10,6 +10,7 @@
 #include "radiosity/coarse_correction.hpp"
 #include "radiosity/link_refinement.hpp"
 #include "radiosity/occluders.hpp"
+#include "radiosity/residual_samples.hpp"
 
 namespace enfilade {
 
@@ -21,6 +22,7 @@ struct GatherConfig {
   /// sum to 1; what is missing goes to its links by how doubtful each is. Wanted once light has
   /// reached everything.
   bool close_rows = false;
+  ResidualConfig residual;  ///< none at first
 };
 
 /// What one gather did; figures are summed or maximised over clusters by `parallel`.
@@ -30,11 +32,15 @@ struct GatherResult {
   double change_power = 0.0;      ///< sum of area |B(k) - B(k-1)|, worst band
   double received_power = 0.0;    ///< sum of area * irradiance over the cluster, worst band
   double link_error_power = 0.0;  ///< sum of the estimated errors of its links, in power
+  double link_doubt_power = 0.0;  ///< what of that is doubt about visibility
   CoarseRow coarse;               ///< its row of the coarse correction
+  Spectrum arriving_power;        ///< per band: sum of area * irradiance
+  Spectrum returning_power;       ///< per band: what of that was reflected, not sent out
   Spectrum absorbed_power;        ///< per band: sum of area (1 - reflectance) irradiance
   /// Per band: sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on
   /// a black back or on a front in the dark.
   Spectrum escaping_power;
+  ResidualSums residual;
 };
 
 /// Brings in a visible cluster; what it returns need stay valid only until the next call.

@@ -21,6 +21,8 @@ struct Link {
   float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around it
   bool evaluated = false;  ///< false: its shooter had no light yet, transport is not known
   bool finest = false;     ///< neither side can be split further
+  std::uint8_t doubt = 0;  ///< 255ths of `error` that are doubt about visibility
+  float visibility_error() const { return error * static_cast<float>(doubt) / 255.0f; }
   bool is_light() const { return !shooter_cluster.valid(); }
 };
 

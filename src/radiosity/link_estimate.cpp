@@ -16,17 +16,6 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
-std::uint64_t seed_of(const LinkSide& a, const LinkSide& b) {
-  std::uint64_t h = 0x8F1BBCDCull;
-  for (const std::uint64_t x :
-       {std::uint64_t{a.cluster.value}, std::uint64_t{a.id.root}, std::uint64_t{a.id.path},
-        std::uint64_t{b.cluster.value}, std::uint64_t{b.id.root}, std::uint64_t{b.id.path}}) {
-    h = (h ^ x) * 0x9E3779B97F4A7C15ull;
-    h ^= h >> 29;
-  }
-  return h;
-}
-
 }  // namespace
 
 double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
@@ -87,117 +76,6 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
   return sum;
 }
 
-bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
-                             int quarter, Random& random, std::uint32_t* blocker) {
-  Vec3 y = shooter.center;
-  std::uint32_t skip_shooter = RayScene::no_polygon;
-  if (shooter.is_patch()) {
-    y = shooter.frame().at(
-        shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
-    skip_shooter = occluders_->global(shooter.cluster, shooter.id.root);
-  } else if (shooter.is_group()) {
-    // A polygon by its share of the group's factor, stratified over the quarters, then a point on
-    // it.
-    const GroupNode& group = shooter.group();
-    double total = 0.0;
-    for (const double w : weights_) total += w;
-    double pick = total * (quarter + random.uniform()) / 4.0;
-    std::uint32_t i = 0;
-    while (i + 1 < weights_.size() && pick >= weights_[i]) pick -= weights_[i++];
-    const std::uint32_t k = shooter.forest->order()[group.begin + i];
-    const int q = static_cast<int>(random.below(4));
-    y = shooter.forest->frames()[k].at(
-        shooter.forest->node(k).shape.point_in_quarter(q, random.uniform(), random.uniform()));
-    skip_shooter = occluders_->global(shooter.cluster, k);
-  }
-  ++work_->rays;
-  if (blocker == nullptr) return !occluders_->rays().occluded(x, y, skip, skip_shooter);
-  const double distance = glm::length(y - x);
-  const RayHit hit =
-      occluders_->rays().closest(x, y - x, skip, distance - occluders_->rays().epsilon_m());
-  if (!hit.any() || hit.polygon == skip_shooter) return true;
-  *blocker = hit.polygon;
-  return false;
-}
-
-LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
-                                                    const LinkSide& shooter, double power,
-                                                    double tolerance) {
-  Visibility v;
-  Random random(seed_of(receiver, shooter));
-  const std::uint32_t skip = occluders_->global(receiver.cluster, receiver.id.root);
-  const PolygonFrame& frame = receiver.frame();
-  auto point = [&](int q) {
-    return frame.at(receiver.shape.point_in_quarter(q, random.uniform(), random.uniform()));
-  };
-  // Too little power for its visibility to matter: one ray.
-  if (power <= 0.1 * tolerance) {
-    const int q = static_cast<int>(random.below(4));
-    const bool open = ray_open(point(q), skip, shooter, q, random, nullptr);
-    v.at.fill(open ? 1.0 : 0.0);
-    v.within = 0.5;
-    return v;
-  }
-  int open = 0;
-  std::uint32_t blocker = RayScene::no_polygon;
-  for (int q = 0; q < 4; ++q) {
-    const bool seen = ray_open(point(q), skip, shooter, (q * 3 + 1) % 4, random, &blocker);
-    v.at[static_cast<std::size_t>(q)] = seen ? 1.0 : 0.0;
-    open += seen ? 1 : 0;
-  }
-  const bool unanimous = open == 0 || open == 4;
-  if (0.25 * power <= tolerance) {
-    const double share = open / 4.0;
-    v.at.fill(share);
-    v.within = unanimous ? 0.1 : 0.25;
-    return v;
-  }
-  if (unanimous && !shooter.is_group()) {
-    ++work_->shafts;
-    const std::uint32_t skip_shooter = shooter.is_light()
-                                           ? RayScene::no_polygon
-                                           : occluders_->global(shooter.cluster, shooter.id.root);
-    const bool certain =
-        open == 4 ? occluders_->shaft_open(receiver.corners, shooter.corners, skip, skip_shooter)
-                  : occluders_->shaft_shut(receiver.corners, shooter.corners, blocker);
-    if (certain) return v;
-  }
-  // Twelve more: all pairs of quarters once.
-  for (int q = 0; q < 4; ++q) {
-    for (int other = 0; other < 4; ++other) {
-      if (other == (q * 3 + 1) % 4) continue;
-      const bool seen = ray_open(point(q), skip, shooter, other, random, nullptr);
-      v.at[static_cast<std::size_t>(q)] += seen ? 1.0 : 0.0;
-      open += seen ? 1 : 0;
-    }
-    v.at[static_cast<std::size_t>(q)] /= 4.0;
-  }
-  // Laplace's rule of succession for a proportion seen in 16 trials.
-  const double p = (open + 0.5) / 17.0;
-  v.within = open == 0 || open == 16 ? p < 0.5 ? p : 1.0 - p : std::sqrt(p * (1.0 - p) / 16.0);
-  return v;
-}
-
-/// Visibility between the parts of two sides that face each other: a ray to the part that lies
-/// behind the other's plane would say nothing, or come through the receiver's own back.
-LinkEstimator::Visibility LinkEstimator::facing_visibility(const LinkSide& receiver,
-                                                           const LinkSide& shooter, double power,
-                                                           double tolerance) {
-  if (!shooter.is_patch()) return visibility(receiver, shooter, power, tolerance);
-  const Plane receives = receiver.plane(), shoots = shooter.plane();
-  const double slack_m = 1e-9 * (receiver.radius + shooter.radius);
-  const auto straddles = [&](const Polygon& corners, const Plane& plane) {
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](const Vec3& p) { return plane.signed_distance(p) < -slack_m; });
-  };
-  const bool cut_receiver = straddles(receiver.corners, shoots);
-  const bool cut_shooter = straddles(shooter.corners, receives);
-  if (!cut_receiver && !cut_shooter) return visibility(receiver, shooter, power, tolerance);
-  const LinkSide to = cut_receiver ? receiver.before(shoots) : receiver;
-  const LinkSide from = cut_shooter ? shooter.before(receives) : shooter;
-  return visibility(to, from, power, tolerance);
-}
-
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
                                      double tolerance) {
   return receiver.is_group() ? evaluate_group(receiver, shooter)
@@ -233,19 +111,23 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     return out;
   }
   const double power = receiver.area_m2 * top * shooter.light;
-  const Visibility v = facing_visibility(receiver, shooter, power, tolerance);
+  const Visibility v = visibility(receiver, shooter, power, tolerance);
 
   // A small shooter's light peaks between the receiver's points; seen from the shooter the total is
-  // plain, by reciprocity: A_r F_rs = A_s F_sr.
+  // plain: a point light's by the receiver's solid angle, a patch's by reciprocity, A_r F_rs = A_s
+  // F_sr.
   double missed = 0.0;
-  if (shooter.is_patch() && shooter.radius < receiver.radius) {
+  if (!shooter.is_group() && (shooter.is_light() || shooter.radius < receiver.radius)) {
     ++work_->form_factors;
-    const double reverse = shooter.area_m2 / receiver.area_m2 *
-                           point_to_polygon(shooter.center, shooter.frame().n, receiver.corners);
-    missed = std::abs(reverse - mean_factor);
+    const double total = shooter.is_light()
+                             ? solid_angle(shooter.center, receiver.corners)
+                             : shooter.area_m2 * point_to_polygon(shooter.center, shooter.frame().n,
+                                                                  receiver.corners);
+    const double plain = total / receiver.area_m2;
+    missed = std::abs(plain - mean_factor);
     if (mean_factor > 0.0) {
-      for (double& f : e) f *= reverse / mean_factor;
-      mean_factor = reverse;
+      for (double& f : e) f *= plain / mean_factor;
+      mean_factor = plain;
     }
   }
 
@@ -260,10 +142,10 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double slope1 = 0.25 * (e[1] + e[3] - e[0] - e[2]);
   const double slope2 = 0.25 * (e[2] + e[3] - e[0] - e[1]);
   const double saddle = 0.25 * (e[0] - e[1] - e[2] + e[3]);
-  const double bend = center * seen - mean;
+  const double bend = center * v.center - mean;
   const int terms = receiver.forest->terms();
   double left_over =
-      0.5 * std::abs(bend) + 0.7 * std::abs(saddle) + 0.25 * rim * seen + missed * seen;
+      0.5 * std::abs(bend) + 0.7 * std::abs(saddle) + 0.25 * rim * seen + missed * seen + v.unfit;
   if (terms == 1) left_over += 0.8 * std::hypot(slope1, slope2);
   out.receiver_error = receiver.area_m2 * left_over;
   out.shooter_error = receiver.area_m2 * std::max(mean_factor, center) * v.within;
@@ -279,6 +161,10 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     for (std::size_t k = 0; k < 4; ++k) {
       if (e[k] <= 0.0) continue;
       std::array<double, 4> kernel{};
+      if (v.partial[k]) {
+        row[k][1] = e[k] * v.seen_from[k].x;
+        row[k][2] = e[k] * v.seen_from[k].y;
+      }
       double sum = 0.0, square = 0.0;
       const Vec3 x = frame.at(points[k]);
       for (std::size_t l = 0; l < 4; ++l) {
@@ -292,7 +178,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
         continue;
       }
       kernel_variation += 0.25 * std::sqrt(std::max(0.0, 4.0 * square / (sum * sum) - 1.0));
-      for (std::size_t l = 0; l < 4; ++l) {
+      for (std::size_t l = 0; l < 4 && !v.partial[k]; ++l) {
         const Vec2 d = sources[l] - shooter.shape.centroid;
         row[k][1] += e[k] * kernel[l] / sum * d.x;
         row[k][2] += e[k] * kernel[l] / sum * d.y;
@@ -361,7 +247,7 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     out.receiver_error = 0.05 * power_bound(receiver, shooter) / std::max(shooter.light, 1e-300);
     return out;
   }
-  Random random(seed_of(receiver, shooter));
+  Random random(LinkSide::seed_of(receiver, shooter));
   int open = 0;
   for (int ray = 0; ray < 4; ++ray) {
     double pick = facing_m2 * (ray + random.uniform()) / 4.0;

@@ -9,6 +9,7 @@
 #include "base/work_count.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "radiosity/occluders.hpp"
+#include "radiosity/visible_parts.hpp"
 
 namespace enfilade {
 
@@ -36,6 +37,8 @@ struct LinkSide {
   LinkSide before(const Plane& plane) const;
   bool same_node(const LinkSide& o) const { return cluster == o.cluster && id == o.id; }
 
+  /// Of whatever lots are drawn for the pair, the same wherever it is evaluated.
+  static std::uint64_t seed_of(const LinkSide& a, const LinkSide& b);
   static LinkSide of(const PatchForest& forest, ClusterId cluster, PatchId id);
   static LinkSide of(const PointLight& light, std::uint32_t number);
 };
@@ -68,15 +71,28 @@ class LinkEstimator {
  private:
   struct Visibility {
     std::array<double, 4> at{1.0, 1.0, 1.0, 1.0};  ///< share of the shooter seen from each quarter
+    double center = 1.0;                           ///< and from the centre, or from all over
     double within = 0.0;                           ///< uncertainty of the mean, as a share
+    double unfit = 0.0;  ///< mean factor that varies otherwise than the four points foretell
+    /// Where a point is known to see only a part, the middle of that part: from the shooter's
+    /// centroid, in its polygon's frame.
+    std::array<bool, 4> partial{};
+    std::array<Vec2, 4> seen_from{};
+    void fill(double share) {
+      at.fill(share);
+      center = share;
+    }
   };
   LinkEstimate evaluate_patch(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter);
   double factor_at(const Vec3& x, const Vec3& n, const LinkSide& shooter, double* per_polygon);
   Visibility visibility(const LinkSide& receiver, const LinkSide& shooter, double power,
                         double tolerance);
-  Visibility facing_visibility(const LinkSide& receiver, const LinkSide& shooter, double power,
-                               double tolerance);
+  Visibility by_rays(const LinkSide& receiver, const LinkSide& shooter, double power,
+                     double tolerance);
+  bool by_parts(const LinkSide& receiver, const LinkSide& shooter, Visibility& v);
+  bool cut_parts(const Vec3& x, const LinkSide& shooter);
+  double small_shadows(const LinkSide& receiver, const LinkSide& shooter);
   bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter,
                 class Random& random, std::uint32_t* blocker);
 
@@ -84,6 +100,8 @@ class LinkEstimator {
   WorkCount* work_;
   std::vector<double> weights_;  ///< per polygon of a shooting group
   Polygon polygon_;
+  std::vector<std::uint32_t> between_;  ///< occluders of the link at hand
+  VisibleParts parts_;
 };
 
 }  // namespace enfilade

@@ -146,6 +146,10 @@ void LinkRefinement::accept(Link link, const LinkSide& shooter, const LinkEstima
   link.finest = finest;
   link.error = static_cast<float>(estimate.receiver_error + estimate.shooter_error);
   link.variation = static_cast<float>(estimate.variation);
+  link.doubt = estimate.shooter_error > 0.0
+                   ? static_cast<std::uint8_t>(255.0 * estimate.shooter_error /
+                                               (estimate.receiver_error + estimate.shooter_error))
+                   : std::uint8_t{0};
   if (shooter.is_patch()) {
     link.shooter_x = static_cast<float>(shooter.shape.centroid.x);
     link.shooter_y = static_cast<float>(shooter.shape.centroid.y);

@@ -81,4 +81,15 @@ LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
   return side;
 }
 
+std::uint64_t LinkSide::seed_of(const LinkSide& a, const LinkSide& b) {
+  std::uint64_t h = 0x8F1BBCDCull;
+  for (const std::uint64_t x :
+       {std::uint64_t{a.cluster.value}, std::uint64_t{a.id.root}, std::uint64_t{a.id.path},
+        std::uint64_t{b.cluster.value}, std::uint64_t{b.id.root}, std::uint64_t{b.id.path}}) {
+    h = (h ^ x) * 0x9E3779B97F4A7C15ull;
+    h ^= h >> 29;
+  }
+  return h;
+}
+
 }  // namespace enfilade

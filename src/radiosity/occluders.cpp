@@ -37,9 +37,18 @@ Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 
 bool Occluders::shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
                            std::uint32_t skip_b) const {
-  const double tolerance_m = 1e-7 * extent_m_;
-  return !shafts_->blocked(shaft_between(a, b, tolerance_m), tolerance_m, skip_a, skip_b);
+  return !shafts_->blocked(shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b);
 }
+
+bool Occluders::find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
+                             std::uint32_t skip_b, std::size_t most,
+                             std::vector<std::uint32_t>& found) const {
+  found.clear();
+  shafts_->find(shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b, most, found);
+  return found.size() <= most;
+}
+
+const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }
 
 bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const {
   // The segments' crossings of the blocker's plane are the convex hull of the corner-to-corner

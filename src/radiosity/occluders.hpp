@@ -35,6 +35,13 @@ class Occluders {
   /// b.
   bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
                   std::uint32_t skip_b) const;
+  /// The polygons but skip_a and skip_b that meet the convex hull of a and b, into `found`; false
+  /// where there are more than `most`.
+  bool find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                    std::size_t most, std::vector<std::uint32_t>& found) const;
+  const Polygon& polygon(std::uint32_t global) const;
+  /// Nearer to a plane than this is on it, for shafts and shadows.
+  double tolerance_m() const { return 1e-7 * extent_m_; }
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
   double extent_m() const { return extent_m_; }

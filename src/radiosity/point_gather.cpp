@@ -20,9 +20,10 @@ struct PointGather::Impl {
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      Spectrum& e) const;
+                      std::span<const char> counted, Spectrum& e) const;
   void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                std::span<const double> weights, Random& random, Spectrum& e) const;
+                std::span<const double> weights, std::span<const char> counted, Random& random,
+                Spectrum& e) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
 };
 
@@ -40,19 +41,28 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
 
 /// Adds share * what a ray brings. Where it ends nearer than the patch there is large, the patch's
 /// light is an average over more than what is seen from here (a gap below a cupboard, a corner);
-/// from such a point the light is sought again, with one ray at random, and so on.
+/// from such a point the light is sought again, with one ray at random, and so on. Of a polygon
+/// whose mean is counted already, only what differs from it.
 void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                                 std::span<const double> weights, Random& random,
-                                 Spectrum& e) const {
+                                 std::span<const double> weights, std::span<const char> counted,
+                                 Random& random, Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
   for (int bounces = 0; bounces < 64; ++bounces) {
     const RayHit hit = occluders->rays().closest(from, direction, own);
-    if (!hit.any() || !hit.front || bright.contains(hit.polygon)) return;
+    if (!hit.any() || !hit.front) return;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
+    const bool differs = bounces == 0 && counted[hit.polygon] != 0;
+    if (bright.contains(hit.polygon) && !differs) return;
+    if (differs) {
+      const std::span<const double> mean = patches.radiosity(ref.polygon);
+      for (std::size_t b = 0; b < bands; ++b) {
+        e[b] -= share * mean[b * static_cast<std::size_t>(patches.terms())];
+      }
+    }
     const Vec3 at = from + hit.distance_m * direction;
     const double patch_m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
-    if (hit.distance_m * hit.distance_m > patch_m2) {
+    if (hit.distance_m * hit.distance_m > patch_m2 || bright.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
       return;
@@ -80,13 +90,15 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
 /// Everything else: cosine-weighted rays, one in each stratum of the disc below the hemisphere
 /// (Nusselt).
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                       Random& random, Spectrum& e) const {
+                                       Random& random, std::span<const char> counted,
+                                       Spectrum& e) const {
   const std::vector<double> weights = bright.weights_near(p);
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
-      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, random, e);
+      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, counted, random,
+               e);
     }
   }
 }
@@ -114,9 +126,9 @@ Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   const std::uint32_t own = impl_->surface_at(p, n);
   // Off the surface, so that a corner's other walls stay on their side.
   const Vec3 x = p + 2.0 * impl_->occluders->rays().epsilon_m() * n;
-  impl_->bright.add_all(x, n, own, e);
+  const std::vector<char> counted = impl_->bright.add_largest(x, n, own, e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
-  impl_->add_hemisphere(x, n, own, random, e);
+  impl_->add_hemisphere(x, n, own, random, counted, e);
   return e;
 }
 

@@ -118,7 +118,15 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
 
 bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
                         std::uint32_t skip_b) const {
-  if (nodes_.empty()) return false;
+  std::vector<std::uint32_t> found;
+  find(shaft, tolerance_m, skip_a, skip_b, 0, found);
+  return !found.empty();
+}
+
+void ShaftTree::find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+                     std::uint32_t skip_b, std::size_t most,
+                     std::vector<std::uint32_t>& found) const {
+  if (nodes_.empty()) return;
   Polygon scratch_a, scratch_b;
   std::vector<std::int32_t> stack{0};
   while (!stack.empty()) {
@@ -133,10 +141,11 @@ bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::u
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const std::uint32_t k = order_[i];
       if (k == skip_a || k == skip_b) continue;
-      if (reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) return true;
+      if (!reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) continue;
+      found.push_back(k);
+      if (found.size() > most) return;
     }
   }
-  return false;
 }
 
 }  // namespace enfilade

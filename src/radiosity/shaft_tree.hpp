@@ -22,6 +22,10 @@ class ShaftTree {
   /// Does a polygon other than skip_a, skip_b reach more than tolerance_m into the shaft?
   bool blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
                std::uint32_t skip_b) const;
+  /// Appends the polygons that `blocked` speaks of, until there are more than `most`; in the same
+  /// order for the same shaft.
+  void find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+            std::uint32_t skip_b, std::size_t most, std::vector<std::uint32_t>& found) const;
   const Polygon& polygon(std::uint32_t k) const { return polygons_[k]; }
 
  private:

@@ -157,6 +157,11 @@ std::string time_by_rank(const RunRecord& stats) {
   return "<h3>Where the time went</h3><div class=\"card\">" + chart + "</div>";
 }
 
+std::string timeline(const RunPage& run) {
+  if (run.timeline.empty()) return "";
+  return "<h3>What the ranks did, when</h3><figure class=\"card\">" + run.timeline + "</figure>";
+}
+
 std::string plans(const RunPage& run) {
   std::string html;
   for (const FloorPlan& plan : run.plans) {
@@ -185,7 +190,8 @@ std::string run_section(const RunPage& run, bool titled) {
     html += figure(run.pictures[i], i == 0 ? "hero" : "");
   }
   if (run.pictures.size() > 1) html += "</div>";
-  html += plans(run) + convergence(run) + time_by_rank(run.stats) + stats_table(run.stats);
+  html += plans(run) + convergence(run) + time_by_rank(run.stats) + timeline(run) +
+          stats_table(run.stats);
   if (!run.attribution.empty()) html += "<h3>The scene</h3>";
   for (const std::string& line : run.attribution)
     html += "<p class=\"soft\">" + escaped(line) + "</p>";

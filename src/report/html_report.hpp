@@ -26,6 +26,7 @@ struct RunPage {
   std::vector<RunRecord> history;  ///< one an iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
+  std::string timeline;  ///< SVG of what the ranks did, where that was kept
   std::vector<std::string> warnings, attribution;
 };
 

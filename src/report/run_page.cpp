@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "report/false_colour.hpp"
 #include "report/html_report.hpp"
@@ -19,6 +20,8 @@ RunPage read_run_page(const std::string& run_directory) {
   page.stats = read_stats((run / "stats.json").string());
   page.history = read_history((run / "history.json").string());
   page.warnings = read_lines((run / "warnings.json").string());
+  std::ifstream timeline(run / "pictures/ranks.svg");
+  page.timeline.assign(std::istreambuf_iterator<char>(timeline), {});
   page.attribution = read_attribution((run / "scene.json").string());
   return page;
 }

@@ -1,30 +1,25 @@
 #include "store/cluster_store.hpp"
 
-#include <filesystem>
-
-#include "store/posix_file.hpp"
+#include <utility>
 
 namespace enfilade {
 
 ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters,
-                           Machine& machine)
+                           Machine& machine, std::unique_ptr<SectionShelf> shelf)
     : layout_(layout),
       local_directory_(layout.local_of(rank)),
       machine_(machine),
+      shelf_(std::move(shelf)),
       links_slot_(clusters, Slot::a) {
-  remove_directory(local_directory_);  // what a run that died has left there was never committed
-  make_directory(local_directory_);
+  shelf_->open(local_directory_);
 }
 
-ClusterStore::~ClusterStore() {
-  std::error_code ignored;  // what cannot be removed is in nobody's way
-  std::filesystem::remove_all(local_directory_, ignored);
-  std::filesystem::remove(layout_.local, ignored);  // once the last rank's is gone
-}
+ClusterStore::~ClusterStore() { shelf_->close(local_directory_, layout_.local); }
 
-SectionFile ClusterStore::read(Disk disk, const std::string& path, ClusterId id, Section section) {
+SectionFile ClusterStore::read(Disk disk, const std::string& path, ClusterId id, Section section,
+                               int iteration) {
   const PhaseScope phase(machine_, Phase::io);
-  SectionFile file = read_section(path, id, section);
+  SectionFile file = shelf_->read(path, id, section, iteration);
   const std::uint64_t bytes = machine_.record_bytes(file.info.count);
   machine_.read(disk, id.value, bytes);
   count_.bytes_read += bytes;
@@ -35,7 +30,7 @@ SectionFile ClusterStore::read(Disk disk, const std::string& path, ClusterId id,
 std::uint64_t ClusterStore::put(Disk disk, const std::string& path, const SectionInfo& info,
                                 std::span<const std::byte> bytes) {
   const PhaseScope phase(machine_, Phase::io);
-  write_section(path, info, bytes);
+  shelf_->write(path, info, bytes);
   const std::uint64_t size = machine_.record_bytes(info.count);
   machine_.write(disk, info.cluster.value, size);
   count_.bytes_written += size;
@@ -48,7 +43,7 @@ void ClusterStore::write_initial(const ClusterState& state) {
   const auto put_section = [&](const std::string& path, Section section, RecordCount count) {
     const std::vector<std::byte> bytes = state.bytes_of(section);
     count.bytes = bytes.size();
-    write_section(path, {id, section, 0, Slot::a, count}, bytes);
+    shelf_->write(path, {id, section, 0, Slot::a, count}, bytes);
   };
   const std::string common = layout_.common();
   RecordCount surfaces, patches, links;
@@ -62,13 +57,14 @@ void ClusterStore::write_initial(const ClusterState& state) {
 }
 
 SectionFile ClusterStore::read_geometry(ClusterId id) {
-  return read(Disk::common, RunLayout::geometry(layout_.common(), id), id, Section::geometry);
+  return read(Disk::common, RunLayout::geometry(layout_.common(), id), id, Section::geometry, 0);
 }
 
 SectionFile ClusterStore::read_patches(ClusterId id) {
   if (written(id)) {
     const Slot slot = other(committed_slot());
-    return read(Disk::local, RunLayout::patches(local_directory_, id, slot), id, Section::patches);
+    return read(Disk::local, RunLayout::patches(local_directory_, id, slot), id, Section::patches,
+                committed_ + 1);
   }
   SectionFile file = read_committed_patches(id);
   links_slot_[id.index()] = file.info.links_slot;
@@ -77,7 +73,7 @@ SectionFile ClusterStore::read_patches(ClusterId id) {
 
 SectionFile ClusterStore::read_committed_patches(ClusterId id) {
   return read(Disk::common, RunLayout::patches(layout_.common(), id, committed_slot()), id,
-              Section::patches);
+              Section::patches, committed_);
 }
 
 SectionFile ClusterStore::read_links(ClusterId id) {
@@ -85,7 +81,8 @@ SectionFile ClusterStore::read_links(ClusterId id) {
   const bool local = found != local_.end() && found->second.links;
   const std::string& directory = local ? local_directory_ : layout_.common();
   return read(local ? Disk::local : Disk::common,
-              RunLayout::links(directory, id, links_slot_[id.index()]), id, Section::links);
+              RunLayout::links(directory, id, links_slot_[id.index()]), id, Section::links,
+              committed_ + (local ? 1 : 0));
 }
 
 void ClusterStore::write(ClusterId id, std::span<const std::byte> patches,
@@ -112,12 +109,12 @@ void ClusterStore::move_to_common() {
   for (const auto& [id, local] : local_) {
     const Slot links_slot = links_slot_[id.index()];
     if (local.links) {
-      exchange_file(RunLayout::links(local_directory_, id, links_slot),
-                    RunLayout::links(common, id, links_slot));
+      shelf_->exchange(RunLayout::links(local_directory_, id, links_slot),
+                       RunLayout::links(common, id, links_slot));
       machine_.move_to_common(id.value, local.links_bytes);
     }
-    exchange_file(RunLayout::patches(local_directory_, id, slot),
-                  RunLayout::patches(common, id, slot));
+    shelf_->exchange(RunLayout::patches(local_directory_, id, slot),
+                     RunLayout::patches(common, id, slot));
     machine_.move_to_common(id.value, local.patches_bytes);
   }
   local_.clear();

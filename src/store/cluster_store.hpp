@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "machine/machine.hpp"
 #include "store/cluster_files.hpp"
 #include "store/run_layout.hpp"
+#include "store/section_shelf.hpp"
 
 namespace enfilade {
 
@@ -25,7 +27,8 @@ struct StoreCount {
 class ClusterStore final : public ClusterFiles {
  public:
   /// Makes the rank's local directory, empty; it goes with the store.
-  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
+  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine,
+               std::unique_ptr<SectionShelf> shelf = std::make_unique<FileShelf>());
   ~ClusterStore() override;
   ClusterStore(const ClusterStore&) = delete;
   ClusterStore& operator=(const ClusterStore&) = delete;
@@ -54,7 +57,8 @@ class ClusterStore final : public ClusterFiles {
     bool links = false;  ///< its links were written as well
     std::uint64_t patches_bytes = 0, links_bytes = 0;
   };
-  SectionFile read(Disk disk, const std::string& path, ClusterId id, Section section);
+  SectionFile read(Disk disk, const std::string& path, ClusterId id, Section section,
+                   int iteration);
   std::uint64_t put(Disk disk, const std::string& path, const SectionInfo& info,
                     std::span<const std::byte> bytes);
   Slot committed_slot() const { return committed_ % 2 == 0 ? Slot::a : Slot::b; }
@@ -62,6 +66,7 @@ class ClusterStore final : public ClusterFiles {
   RunLayout layout_;
   std::string local_directory_;
   Machine& machine_;
+  std::unique_ptr<SectionShelf> shelf_;
   int committed_ = 0;
   std::vector<Slot> links_slot_;      ///< of the newest links, by cluster
   std::map<ClusterId, Local> local_;  ///< what was written in this iteration

@@ -8,17 +8,39 @@
 namespace enfilade {
 namespace {
 
-RecordCount shooter_record(const ClusterState& state) {
+/// In memory, a cluster's geometry and patches on the one hand, its links on the other.
+RecordCount links_in_memory(const ClusterState& state) {
+  const LinkSet& links = state.links();
+  RecordCount count;
+  count.links = links.size();
+  count.bytes = links.size() * (sizeof(Link) + links.stride() * sizeof(float));
+  return count;
+}
+RecordCount shooter_in_memory(const ClusterState& state) {
   RecordCount count;
   count.surfaces = state.patches().polygons();
   count.patches = state.patches().size();
+  count.bytes = state.memory_bytes();
+  count.bytes -= std::min(count.bytes, links_in_memory(state).bytes);
   return count;
 }
+void drop_links_of(ClusterState& state) { state.links() = LinkSet(state.links().stride()); }
+void shrink(ClusterState& state) { state.shrink(); }
+std::uint64_t file_bytes(const ClusterState&, Section, std::size_t bytes) { return bytes; }
 
-RecordCount links_record(const ClusterState& state) {
-  RecordCount count;
-  count.links = state.links().size();
-  return count;
+RecordCount links_in_memory(const RecordedCluster& state) {
+  const SectionWeight& links = state.weight().links;
+  return {0, 0, links.count, links.memory_bytes};
+}
+RecordCount shooter_in_memory(const RecordedCluster& state) {
+  const ClusterWeight& weight = state.weight();
+  return {weight.geometry.count, weight.patches.count, 0, weight.patches.memory_bytes};
+}
+void drop_links_of(RecordedCluster& state) { state.drop_links(); }
+void shrink(RecordedCluster&) {}
+std::uint64_t file_bytes(const RecordedCluster& state, Section section, std::size_t) {
+  const ClusterWeight& weight = state.weight();
+  return section == Section::links ? weight.links.file_bytes : weight.patches.file_bytes;
 }
 
 /// The newest that this rank may see: its own of this iteration, or the committed one.
@@ -28,8 +50,10 @@ int newest_iteration(const ClusterFiles& files, ClusterId id) {
 
 }  // namespace
 
-ResidentClusters::ResidentClusters(ClusterFiles& files, Machine& machine,
-                                   std::uint64_t budget_bytes, MemoryManager manager)
+template <class State>
+BasicResidentClusters<State>::BasicResidentClusters(ClusterFiles& files, Machine& machine,
+                                                    std::uint64_t budget_bytes,
+                                                    MemoryManager manager)
     : files_(files),
       machine_(machine),
       budget_bytes_(budget_bytes),
@@ -38,10 +62,11 @@ ResidentClusters::ResidentClusters(ClusterFiles& files, Machine& machine,
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
 
-void ResidentClusters::adopt(ClusterState state) {
+template <class State>
+void BasicResidentClusters<State>::adopt(State state) {
   Entry& entry = entries_[state.id()];
   entry.links_checksum = checksum(state.bytes_of(Section::links));
-  entry.state = std::make_unique<ClusterState>(std::move(state));
+  entry.state = std::make_unique<State>(std::move(state));
   entry.has_links = true;
   entry.iteration = files_.committed();
   measure(entry);
@@ -49,22 +74,16 @@ void ResidentClusters::adopt(ClusterState state) {
 }
 
 /// Brings the account of memory up to date with what the entry holds now.
-void ResidentClusters::measure(Entry& entry) {
+template <class State>
+void BasicResidentClusters<State>::measure(Entry& entry) {
   bytes_ -= entry.shooter_bytes + entry.links_bytes;
   entry.shooter_bytes = entry.links_bytes = 0;
   if (entry.state) {
-    RecordCount shooter = shooter_record(*entry.state), links = links_record(*entry.state);
-    const auto& set = entry.state->links();
-    links.bytes = set.size() * (sizeof(Link) + set.stride() * sizeof(float));
-    shooter.bytes = entry.state->memory_bytes();
-    shooter.bytes -= std::min(shooter.bytes, links.bytes);
-    entry.shooter_bytes = machine_.record_bytes(shooter);
-    entry.links_bytes = machine_.record_bytes(links);
+    entry.shooter_bytes = machine_.record_bytes(shooter_in_memory(*entry.state));
+    entry.links_bytes = machine_.record_bytes(links_in_memory(*entry.state));
   }
   if (entry.previous) {
-    RecordCount previous = shooter_record(*entry.previous);
-    previous.bytes = entry.previous->memory_bytes();
-    entry.shooter_bytes += machine_.record_bytes(previous);
+    entry.shooter_bytes += machine_.record_bytes(shooter_in_memory(*entry.previous));
   }
   if (budget_bytes_ > 0) {
     entry.shooter_bytes = placement_.accounted(entry.shooter_bytes);
@@ -79,7 +98,8 @@ void ResidentClusters::measure(Entry& entry) {
   }
 }
 
-void ResidentClusters::use(ClusterId id, const Entry& entry, bool links) {
+template <class State>
+void BasicResidentClusters<State>::use(ClusterId id, const Entry& entry, bool links) {
   std::uint64_t swapped = placement_.use(entry.shooter_block);
   if (links) swapped += placement_.use(entry.links_block);
   if (swapped == 0) return;
@@ -87,13 +107,15 @@ void ResidentClusters::use(ClusterId id, const Entry& entry, bool links) {
   machine_.read(Disk::local, id.value, swapped);
 }
 
-ResidencyCount ResidentClusters::count() const {
+template <class State>
+ResidencyCount BasicResidentClusters<State>::count() const {
   ResidencyCount count = count_;
   count.placement = placement_.count();
   return count;
 }
 
-void ResidentClusters::load(ClusterId id, Entry& entry) {
+template <class State>
+void BasicResidentClusters<State>::load(ClusterId id, Entry& entry) {
   if (entry.state && entry.iteration >= newest_iteration(files_, id)) {
     ++count_.hits;
     return;
@@ -102,37 +124,39 @@ void ResidentClusters::load(ClusterId id, Entry& entry) {
   const std::vector<std::byte> geometry =
       entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
   const SectionFile patches = files_.read_patches(id);
-  entry.state =
-      std::make_unique<ClusterState>(geometry, patches.bytes, std::span<const std::byte>());
+  entry.state = std::make_unique<State>(geometry, patches.bytes, std::span<const std::byte>());
   entry.has_links = entry.corrected = false;
   entry.iteration = static_cast<int>(patches.info.iteration);
   measure(entry);
 }
 
-void ResidentClusters::set_correction(std::function<void(ClusterState&)> correction) {
+template <class State>
+void BasicResidentClusters<State>::set_correction(std::function<void(State&)> correction) {
   correction_ = std::move(correction);
   for (auto& [id, entry] : entries_) entry.corrected = false;
 }
 
 /// Files hold what the gathers brought; the correction that belongs to the committed iteration is
 /// applied to what comes from them, and to what stayed in memory.
-void ResidentClusters::correct(Entry& entry) {
+template <class State>
+void BasicResidentClusters<State>::correct(Entry& entry) {
   if (!correction_ || entry.corrected || entry.iteration != files_.committed()) return;
   correction_(*entry.state);
   entry.corrected = true;
 }
 
-void ResidentClusters::load_links(ClusterId id, Entry& entry) {
+template <class State>
+void BasicResidentClusters<State>::load_links(ClusterId id, Entry& entry) {
   const SectionFile links = files_.read_links(id);
-  entry.state =
-      std::make_unique<ClusterState>(entry.state->bytes_of(Section::geometry),
-                                     entry.state->bytes_of(Section::patches), links.bytes);
+  entry.state = std::make_unique<State>(entry.state->bytes_of(Section::geometry),
+                                        entry.state->bytes_of(Section::patches), links.bytes);
   entry.has_links = true;
   entry.links_checksum = checksum(links.bytes);
   measure(entry);
 }
 
-void ResidentClusters::set_committed_only(bool committed_only) {
+template <class State>
+void BasicResidentClusters<State>::set_committed_only(bool committed_only) {
   committed_only_ = committed_only;
   for (auto& [id, entry] : entries_) {
     if (!entry.previous) continue;
@@ -143,32 +167,36 @@ void ResidentClusters::set_committed_only(bool committed_only) {
 }
 
 /// The cluster as it was before this rank gathered for it in this iteration.
-const ClusterState& ResidentClusters::committed(ClusterId id, Entry& entry) {
+template <class State>
+const State& BasicResidentClusters<State>::committed(ClusterId id, Entry& entry) {
   if (!entry.previous) {
     const std::vector<std::byte> geometry =
         entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
-    entry.previous = std::make_unique<ClusterState>(
-        geometry, files_.read_committed_patches(id).bytes, std::span<const std::byte>());
+    entry.previous = std::make_unique<State>(geometry, files_.read_committed_patches(id).bytes,
+                                             std::span<const std::byte>());
     if (correction_) correction_(*entry.previous);
     measure(entry);
   }
   return *entry.previous;
 }
 
-ResidentClusters::Entry& ResidentClusters::newest(ClusterId id) {
+template <class State>
+typename BasicResidentClusters<State>::Entry& BasicResidentClusters<State>::newest(ClusterId id) {
   Entry& entry = entries_[id];
   load(id, entry);
   correct(entry);
   return entry;
 }
 
-ClusterState& ResidentClusters::pin_receiver(ClusterId id, std::span<const ClusterId> visible) {
+template <class State>
+State& BasicResidentClusters<State>::pin_receiver(ClusterId id,
+                                                  std::span<const ClusterId> visible) {
   receiver_ = id;
   visible_ = visible;
   Entry& entry = newest(id);
   if (!entry.has_links) load_links(id, entry);
   if (committed_only_ && !files_.written(id)) {
-    entry.previous = std::make_unique<ClusterState>(entry.state->shooter());
+    entry.previous = std::make_unique<State>(entry.state->shooter());
     measure(entry);
   }
   evict(true);
@@ -176,20 +204,23 @@ ClusterState& ResidentClusters::pin_receiver(ClusterId id, std::span<const Clust
   return *entry.state;
 }
 
-const ClusterState& ResidentClusters::pin_shooter(ClusterId id) {
+template <class State>
+const State& BasicResidentClusters<State>::pin_shooter(ClusterId id) {
   shooter_ = id;
-  const ClusterState& state =
-      shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
+  const State& state = shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict(true);
   use(id, entries_.at(id), false);
   return state;
 }
 
-bool ResidentClusters::pinned(ClusterId id) const {
+template <class State>
+bool BasicResidentClusters<State>::pinned(ClusterId id) const {
   return id == receiver_ || id == shooter_ || std::binary_search(held_.begin(), held_.end(), id);
 }
 
-void ResidentClusters::list_missing(ClusterId id, std::vector<SectionName>& missing) const {
+template <class State>
+void BasicResidentClusters<State>::list_missing(ClusterId id,
+                                                std::vector<SectionName>& missing) const {
   const auto found = entries_.find(id);
   const Entry* entry = found == entries_.end() ? nullptr : &found->second;
   const bool here = entry != nullptr && entry->state != nullptr;
@@ -201,7 +232,8 @@ void ResidentClusters::list_missing(ClusterId id, std::vector<SectionName>& miss
   }
 }
 
-void ResidentClusters::hold(std::vector<ClusterId> shooters) {
+template <class State>
+void BasicResidentClusters<State>::hold(std::vector<ClusterId> shooters) {
   std::sort(shooters.begin(), shooters.end());
   shooters.erase(std::unique(shooters.begin(), shooters.end()), shooters.end());
   held_ = std::move(shooters);
@@ -212,41 +244,52 @@ void ResidentClusters::hold(std::vector<ClusterId> shooters) {
   unpin();
 }
 
-void ResidentClusters::write_receiver(ClusterId id) {
+template <class State>
+WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
   Entry& entry = entries_.at(id);
-  RecordCount patches_count = shooter_record(*entry.state),
-              links_count = links_record(*entry.state);
-  patches_count.surfaces = 0;
-  const std::vector<std::byte> patches = entry.state->bytes_of(Section::patches);
-  std::vector<std::byte> links = entry.state->bytes_of(Section::links);
-  patches_count.bytes = patches.size();
-  links_count.bytes = links.size();
+  shrink(*entry.state);
+  const State& state = *entry.state;
+  const RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
+  WrittenReceiver written;
+  written.patches = {shooter.patches, 0, shooter.bytes, 0};
+  written.links = {links_count.links, 0, links_count.bytes, 0};
+  const std::vector<std::byte> patches = state.bytes_of(Section::patches);
+  std::vector<std::byte> links = state.bytes_of(Section::links);
+  written.patches.file_bytes = file_bytes(state, Section::patches, patches.size());
+  written.links.file_bytes = file_bytes(state, Section::links, links.size());
   const std::uint64_t sum = checksum(links);
-  if (sum == entry.links_checksum) links.clear();
-  files_.write(id, patches, patches_count, links, links_count);
-  entry.links_checksum = sum;
+  written.links_changed = sum != entry.links_checksum;
+  if (!written.links_changed) links.clear();
+  files_.write(id, patches, {0, shooter.patches, 0, written.patches.file_bytes}, links,
+               {0, 0, links_count.links, written.links.file_bytes});
+  entry.links_checksum = written.links.version = sum;
   entry.iteration = files_.committed() + 1;
   measure(entry);
+  return written;
 }
 
-void ResidentClusters::unpin() {
+template <class State>
+void BasicResidentClusters<State>::unpin() {
   receiver_ = shooter_ = ClusterId();
   visible_ = {};
   evict(false);
 }
 
-std::uint64_t ResidentClusters::turns_until(ClusterId id, bool links) const {
+template <class State>
+std::uint64_t BasicResidentClusters<State>::turns_until(ClusterId id, bool links) const {
   const bool to_come = !links && (!shooter_.valid() || shooter_ < id) &&
                        std::binary_search(visible_.begin(), visible_.end(), id);
   return to_come ? 0 : 1 + next_use_(id, links);
 }
 
-void ResidentClusters::drop_links(Entry& entry) {
-  entry.state->links() = LinkSet(entry.state->links().stride());
+template <class State>
+void BasicResidentClusters<State>::drop_links(Entry& entry) {
+  drop_links_of(*entry.state);
   entry.has_links = false;
 }
 
-void ResidentClusters::evict(bool pressed) {
+template <class State>
+void BasicResidentClusters<State>::evict(bool pressed) {
   if (budget_bytes_ == 0 || bytes_ <= budget_bytes_) return;
   // A little more than needed, so that the order is not worked out for every cluster that comes in.
   const std::uint64_t goal = budget_bytes_ - (pressed ? budget_bytes_ / 16 : 0);
@@ -280,10 +323,14 @@ void ResidentClusters::evict(bool pressed) {
   }
 }
 
-std::vector<ClusterId> ResidentClusters::resident() const {
+template <class State>
+std::vector<ClusterId> BasicResidentClusters<State>::resident() const {
   std::vector<ClusterId> ids;
   for (const auto& [id, entry] : entries_) ids.push_back(id);
   return ids;
 }
+
+template class BasicResidentClusters<ClusterState>;
+template class BasicResidentClusters<RecordedCluster>;
 
 }  // namespace enfilade

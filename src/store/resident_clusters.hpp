@@ -12,6 +12,7 @@
 #include "radiosity/cluster_state.hpp"
 #include "store/cluster_files.hpp"
 #include "store/placement.hpp"
+#include "store/recorded_cluster.hpp"
 
 namespace enfilade {
 
@@ -25,27 +26,35 @@ struct ResidencyCount {
   PlacementCount placement;
 };
 
+/// What write_receiver() wrote, and what the cluster takes in memory then.
+struct WrittenReceiver {
+  SectionWeight patches, links;
+  bool links_changed = false;  ///< only then were they written
+};
+
 /// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
 /// only its own gather needs, once an iteration. Under pressure that part goes first whose next use
 /// lies farthest ahead; since CYCLE is known, so is that (Belady's rule, which no other can beat).
 /// Nothing is ever written on eviction: a gathered cluster is in its file already.
-class ResidentClusters {
+/// State is ClusterState, or RecordedCluster where a run is replayed.
+template <class State>
+class BasicResidentClusters {
  public:
   /// When a cluster (or its links) will be used next; larger is later.
   using NextUse = std::function<std::uint64_t(ClusterId id, bool links)>;
 
   /// budget_bytes 0 = no limit.
-  ResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes,
-                   MemoryManager manager = MemoryManager::own);
+  BasicResidentClusters(ClusterFiles& files, Machine& machine, std::uint64_t budget_bytes,
+                        MemoryManager manager = MemoryManager::own);
 
   void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
   /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
-  void set_correction(std::function<void(ClusterState&)> correction);
+  void set_correction(std::function<void(State&)> correction);
   /// Brings these clusters in as shooters, all at once, and keeps them until the next call,
   /// whatever the budget.
   void hold(std::vector<ClusterId> shooters);
   /// Takes in a cluster that was made here and written by ClusterStore::write_initial.
-  void adopt(ClusterState state);
+  void adopt(State state);
 
   /// While `committed_only`, shooters are as the last iteration committed them, this rank's own
   /// included: what is gathered then does not depend on who gathers it, or when.
@@ -53,12 +62,12 @@ class ResidentClusters {
 
   /// Keeps the receiver of a gather in memory until unpin(). `visible` (ascending, valid until
   /// then): the shooters that will be asked for, in this order; those still to come stay longest.
-  ClusterState& pin_receiver(ClusterId id, std::span<const ClusterId> visible = {});
+  State& pin_receiver(ClusterId id, std::span<const ClusterId> visible = {});
   /// Keeps a shooter in memory until the next one is asked for, or unpin().
-  const ClusterState& pin_shooter(ClusterId id);
+  const State& pin_shooter(ClusterId id);
   /// After its gather: writes the receiver to the local directory (its links only where they
   /// changed).
-  void write_receiver(ClusterId id);
+  WrittenReceiver write_receiver(ClusterId id);
   /// Ends the gather and evicts down to the budget.
   void unpin();
 
@@ -69,8 +78,8 @@ class ResidentClusters {
 
  private:
   struct Entry {
-    std::unique_ptr<ClusterState> state;
-    std::unique_ptr<ClusterState> previous;  ///< as committed, once it has been gathered for
+    std::unique_ptr<State> state;
+    std::unique_ptr<State> previous;  ///< as committed, once it has been gathered for
     bool has_links = false, corrected = false;
     int iteration = 0;                 ///< that these patches are of
     std::uint64_t links_checksum = 0;  ///< of the links in the file
@@ -79,7 +88,7 @@ class ResidentClusters {
   };
   Entry& newest(ClusterId id);
   void load(ClusterId id, Entry& entry);
-  const ClusterState& committed(ClusterId id, Entry& entry);
+  const State& committed(ClusterId id, Entry& entry);
   void correct(Entry& entry);
   void load_links(ClusterId id, Entry& entry);
   void measure(Entry& entry);
@@ -102,7 +111,7 @@ class ResidentClusters {
   Placement placement_;
   NextUse next_use_;
   bool committed_only_ = false;
-  std::function<void(ClusterState&)> correction_;
+  std::function<void(State&)> correction_;
   std::map<ClusterId, Entry> entries_;
   ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid
   std::span<const ClusterId> visible_;
@@ -110,5 +119,9 @@ class ResidentClusters {
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
   ResidencyCount count_;
 };
+
+using ResidentClusters = BasicResidentClusters<ClusterState>;
+extern template class BasicResidentClusters<ClusterState>;
+extern template class BasicResidentClusters<RecordedCluster>;
 
 }  // namespace enfilade

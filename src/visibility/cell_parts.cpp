@@ -46,19 +46,20 @@ void descend(const CellComplex& complex, const SourcePolygon& whole, Add add) {
 
 }  // namespace
 
-std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster) {
+std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster,
+                                    std::uint32_t first_number) {
   std::vector<CellPart> parts(1);
   parts[0].cell = cluster.cell;
   parts[0].box = cluster.bounds;
   std::map<CellId, CellPart> others;
   for (const ClusterPolygon& polygon : cluster.polygons) {
-    const SourcePolygon whole{polygon.polygon, plane_of(polygon.polygon)};
+    const SourcePolygon whole{polygon.polygon, plane_of(polygon.polygon), first_number++};
     descend(complex, whole, [&](CellId cell, Polygon part) {
       if (cell == cluster.cell) return;
       CellPart& other = others[cell];
       other.cell = cell;
       other.box.add(bounds(part));
-      other.polygons.push_back({std::move(part), whole.plane});
+      other.polygons.push_back({std::move(part), whole.plane, whole.number});
     });
     parts[0].polygons.push_back(whole);
   }

@@ -20,7 +20,8 @@ struct CellPart {
 };
 
 /// The cluster's own cell first, with all its polygons whole; then the cells that it sticks out
-/// into.
-std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster);
+/// into. Its first polygon has this number among those of all clusters.
+std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster,
+                                    std::uint32_t first_number);
 
 }  // namespace enfilade

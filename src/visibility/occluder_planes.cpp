@@ -17,7 +17,7 @@ double rounding(const Box& box) {
   return std::max(flat_relative * box.diagonal(), 1e-15 * coordinate);
 }
 
-bool is_flat(const Polygon& polygon, double tolerance_m) {
+bool lies_flat(const Polygon& polygon, double tolerance_m) {
   const Plane plane = plane_of(polygon);
   return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) {
     return std::abs(plane.signed_distance(p)) <= tolerance_m;
@@ -37,7 +37,8 @@ OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
   std::vector<std::uint32_t> of;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     const Polygon& p = polygons[i];
-    if (is_flat(p, flat_m)) {
+    flat_.push_back(lies_flat(p, flat_m));
+    if (flat_.back()) {
       parts.push_back({SurfaceId(i), p});
       of.push_back(i);
       continue;

@@ -22,6 +22,8 @@ class OccluderPlanes {
   /// Of a polygon that is not flat, the plane of its first triangle.
   std::uint32_t plane_of_polygon(std::uint32_t polygon) const { return plane_of_polygon_[polygon]; }
 
+  bool is_flat(std::uint32_t polygon) const { return flat_[polygon]; }
+
   /// What of `openings` (convex, in plane k) no polygon covers; those in `skip` (sorted) do not
   /// count. Gives up, with the openings that it has by then, beyond `max_pieces` of them.
   std::vector<Polygon> uncovered(std::uint32_t k, std::vector<Polygon> openings,
@@ -41,6 +43,7 @@ class OccluderPlanes {
 
   std::vector<Occluders> planes_;
   std::vector<std::uint32_t> plane_of_polygon_;
+  std::vector<bool> flat_;  ///< by polygon: all of it lies in its plane
   double sliver_m_ = 0.0;
 };
 

@@ -14,11 +14,12 @@ constexpr std::size_t most_points = 48;
 class Search {
  public:
   Search(const DoorwayMap& doorways, std::span<const SourcePolygon> source, int max_passes,
-         const std::function<void(const CellView&)>& visit)
+         const std::function<void(const CellView&)>& visit, const IsHidden& is_hidden)
       : doorways_(doorways),
         slack_m_(doorways.slack_m()),
         max_passes_(max_passes),
         visit_(visit),
+        is_hidden_(is_hidden),
         on_path_(doorways.portals(), 0),
         passes_(2 * doorways.portals(), 0) {
     for (const SourcePolygon& s : source) all_.push_back(&s);
@@ -37,8 +38,11 @@ class Search {
       } else {
         // Any other sequence may follow, also through the portals that this one came by.
         std::vector<char> path(on_path_.size(), 0);
+        std::vector<Window> windows;
         std::swap(path, on_path_);
+        std::swap(windows, windows_);
         pass(doorway, doorway.polygon, all_, {});
+        std::swap(windows, windows_);
         std::swap(path, on_path_);
       }
     }
@@ -50,12 +54,15 @@ class Search {
     std::deque<SourcePolygon> clipped;
     const SourceList facing = in_sight(source, window, doorway.plane, clipped);
     if (facing.empty()) return;
+    if (is_hidden_ && is_hidden_({facing, windows_, window, doorway.plane})) return;
     HalfSpaces beyond = within;
     beyond.push_back({doorway.plane.n, doorway.plane.d - slack_m_});
     add_penumbra(points_of(facing), window, doorway.plane.n, slack_m_, beyond);
     visit_({doorway.leads_to, window, beyond});
     on_path_[doorway.portal] = 1;
+    windows_.push_back({window, doorway.plane.n});
     enter(doorway.leads_to, facing, beyond);
+    windows_.pop_back();
     on_path_[doorway.portal] = 0;
   }
 
@@ -103,9 +110,11 @@ class Search {
   double slack_m_;
   int max_passes_;
   const std::function<void(const CellView&)>& visit_;
+  const IsHidden& is_hidden_;
   SourceList all_;
   std::vector<char> on_path_;
-  std::vector<int> passes_;  ///< by doorway
+  std::vector<int> passes_;      ///< by doorway
+  std::vector<Window> windows_;  ///< passed on the way here
 };
 
 }  // namespace
@@ -126,8 +135,9 @@ DoorwayMap::DoorwayMap(const CellComplex& complex)
 }
 
 void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
-                    int max_passes, const std::function<void(const CellView&)>& visit) {
-  Search search(doorways, source, max_passes, visit);
+                    int max_passes, const std::function<void(const CellView&)>& visit,
+                    const IsHidden& is_hidden) {
+  Search search(doorways, source, max_passes, visit, is_hidden);
   search.enter(start, search.all(), {});
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/ids.hpp"
 #include "cells/cell_complex.hpp"
+#include "visibility/beam.hpp"
 #include "visibility/half_spaces.hpp"
 
 namespace enfilade {
@@ -49,13 +50,25 @@ struct CellView {
 struct SourcePolygon {
   Polygon polygon;
   Plane plane;
+  std::uint32_t number = BeamPart::no_number;  ///< among the polygons of all clusters
 };
+
+/// Lines from a source through the windows of the portals passed so far, and the next one.
+struct WindowView {
+  std::span<const SourcePolygon* const> source;
+  std::span<const Window> path;
+  const Polygon& window;
+  const Plane& plane;  ///< facing away from the source
+};
+/// Is the next window proved hidden? No sequence through it is followed then. May be empty.
+using IsHidden = std::function<bool(const WindowView&)>;
 
 /// Calls `visit` for every cell that is entered, once for each sequence of portals. A doorway that
 /// has been passed `max_passes` times is passed once more with nothing but the source and the
 /// doorway itself to say what is seen beyond, which covers every further sequence through it: the
 /// cost is bounded by the number of doorways within reach, and no line is ever left out.
 void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
-                    int max_passes, const std::function<void(const CellView&)>& visit);
+                    int max_passes, const std::function<void(const CellView&)>& visit,
+                    const IsHidden& is_hidden = {});
 
 }  // namespace enfilade

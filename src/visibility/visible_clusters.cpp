@@ -1,10 +1,12 @@
 // G_cluster: every cluster looks out through its cell's portals; a pair is kept where each side
 // sees the other.
 #include <algorithm>
+#include <optional>
 
 #include "visibility/cell_parts.hpp"
 #include "visibility/cluster_graph.hpp"
 #include "visibility/facing.hpp"
+#include "visibility/hidden_pairs.hpp"
 #include "visibility/portal_search.hpp"
 
 namespace enfilade {
@@ -17,13 +19,18 @@ constexpr double portals_share = 0.3;  // of the time, about
 class ClusterVisibility {
  public:
   ClusterVisibility(const CellComplex& complex, std::span<const Cluster> clusters,
-                    const VisibilityConfig& config)
+                    const VisibilityConfig& config, const Occlusion* occlusion)
       : config_(config),
         doorways_(complex),
         in_cell_(complex.cells().size()),
         seen_by_(clusters.size(), 0xFFFFFFFFu) {
+    if (occlusion != nullptr) {
+      is_hidden_ = [occlusion](const WindowView& view) { return occlusion->is_hidden(view); };
+    }
+    std::uint32_t number = 0;
     for (std::uint32_t i = 0; i < clusters.size(); ++i) {
-      parts_.push_back(parts_by_cell(complex, clusters[i]));
+      parts_.push_back(parts_by_cell(complex, clusters[i], number));
+      number += static_cast<std::uint32_t>(clusters[i].polygons.size());
       for (std::uint32_t k = 0; k < parts_[i].size(); ++k) {
         in_cell_[parts_[i][k].cell.index()].push_back({i, k});
       }
@@ -81,7 +88,7 @@ class ClusterVisibility {
         seen.emplace_back(i, m.cluster);
       }
     };
-    search_portals(doorways_, part.cell, part.polygons, config_.max_passes, visit);
+    search_portals(doorways_, part.cell, part.polygons, config_.max_passes, visit, is_hidden_);
   }
 
   // Is some of it within the view, with the window before it?
@@ -96,31 +103,23 @@ class ClusterVisibility {
 
   VisibilityConfig config_;
   DoorwayMap doorways_;
+  IsHidden is_hidden_;
   std::vector<std::vector<Member>> in_cell_;
   std::vector<std::vector<CellPart>> parts_;
   std::vector<std::uint32_t> seen_by_;  ///< the last cluster that saw this one
 };
 
-void drop_hidden(std::vector<Pair>& pairs, std::span<const Cluster> clusters, double tolerance_m,
-                 const OcclusionConfig& config, const Progress& progress) {
-  const Occlusion occlusion(clusters, tolerance_m, config);
-  std::size_t done = 0;
-  std::erase_if(pairs, [&](const Pair& pair) {
-    if (done++ % 1024 == 0) {
-      const double share = static_cast<double>(done) / static_cast<double>(pairs.size());
-      report_progress(progress, "visibility", portals_share + (1.0 - portals_share) * share);
-    }
-    return occlusion.between(pair.first, pair.second) == Sight::hidden;
-  });
-}
-
 }  // namespace
 
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress, const VisibilityConfig& config) {
-  std::vector<Pair> pairs = ClusterVisibility(complex, clusters, config).pairs(progress);
-  if (config.prove_hidden)
-    drop_hidden(pairs, clusters, complex.tolerance_m(), config.occlusion, progress);
+  std::optional<Occlusion> occlusion;
+  if (config.prove_hidden) occlusion.emplace(clusters, complex.tolerance_m(), config.occlusion);
+  const Occlusion* used = occlusion ? &*occlusion : nullptr;
+  std::vector<Pair> pairs = ClusterVisibility(complex, clusters, config, used).pairs(progress);
+  if (used != nullptr && config.occlusion.max_parts > 0) {
+    drop_hidden(pairs, clusters, *used, progress, portals_share);
+  }
   report_progress(progress, "visibility", 1.0);
   return {clusters.size(), std::move(pairs)};
 }

@@ -29,7 +29,9 @@ int main(int argc, char** argv) {
       {"solve_to_the_end_replicated", solve_to_the_end_replicated},
       {"solve_rooms_by_jacobi", solve_rooms_by_jacobi},
       {"long_message", long_message},
-      {"solve_in_little_memory", solve_in_little_memory}};
+      {"solve_in_little_memory", solve_in_little_memory},
+      {"replay_rooms", replay_rooms},
+      {"queue_of_clients", queue_of_clients}};
   try {
     if (argc < 3) throw std::runtime_error("usage: spmd_tests NAME DIRECTORY [--resume]");
     Context context{communicator, *machine, argv[2], argc > 3};

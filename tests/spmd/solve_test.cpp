@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "parallel/prepare.hpp"
+#include "parallel/replay.hpp"
 #include "parallel/solve.hpp"
 #include "scene/scene_io.hpp"
 #include "store/manifest.hpp"
@@ -221,6 +222,33 @@ void solve_in_little_memory(Context& context) {
         peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
         "more in memory than the run owns up to");
   });
+}
+
+/// A replay goes through the same moves as the run that it was recorded from: with little memory
+/// and with much, with the coarse correction and without.
+void replay_rooms(Context& context) {
+  for (const bool little : {false, true}) {
+    const std::string run = context.directory + (little ? "/LITTLE" : "/RUN");
+    const Prepared prepared = prepared_furnace(context, run);
+    SolveConfig config;
+    config.run_directory = run;
+    config.target_error = 0.1;
+    config.coarse_correction = !little;
+    config.memory_bytes = little ? 60'000 : 0;
+    const RunRecord solved = solve(config, prepared, context.communicator, context.machine);
+    config.run_directory = context.directory + "/REPLAYED";
+    const RunRecord again = replay(run, config, context.communicator, context.machine);
+    context.communicator.on_root([&] {
+      const double full_s = solved.number("simulated_s", 0),
+                   replayed_s = again.number("simulated_s", 0);
+      SPMD_CHECK(full_s > 0.0 && std::abs(replayed_s / full_s - 1.0) < 1e-3,
+                 std::to_string(full_s) + " s, replayed " + std::to_string(replayed_s) + " s");
+      for (const char* key : {"bytes_read", "bytes_written", "messages", "message_bytes", "steals",
+                              "links", "rays", "peak_cluster_bytes"}) {
+        SPMD_CHECK(solved.number(key, -1) == again.number(key, -2), key);
+      }
+    });
+  }
 }
 
 }  // namespace enfilade::spmd_tests

@@ -73,5 +73,25 @@ TEST(SolveOptions, BadMemoryIsRefusedByName) {
   EXPECT_THROW(options.config(), InputError);
 }
 
+TEST(SolveOptions, AReplayTakesTheRunInPlaceOfAScene) {
+  SolveOptions options;
+  options.replay = "recorded";
+  options.output = "run";
+  EXPECT_EQ(options.config().run_directory, "run");
+  options.output.clear();
+  EXPECT_THROW(options.config(), InputError);
+  options.output = "run";
+  options.resume = true;
+  EXPECT_THROW(options.config(), InputError);
+  options.resume = false;
+  options.scheme = "replicated";
+  EXPECT_THROW(options.config(), InputError);
+  options.scheme = "spmd";
+  options.input = "scene.json";
+  EXPECT_THROW(options.config(), InputError);
+  options.input = options.replay = "";
+  EXPECT_THROW(options.config(), InputError);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -48,7 +48,7 @@ TEST(SolveProgress, RunsFromTheFirstErrorToTheAskedOne) {
   const auto observer = progress.observer();
   for (const double error : {1.0, 0.1, 0.005}) {
     IterationSummary summary;
-    summary.estimated_error = error;
+    summary.error.discretisation = error;
     observer(summary);
   }
   ASSERT_EQ(fractions.size(), 3u);

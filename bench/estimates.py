@@ -1,0 +1,103 @@
+"""Estimated error against the true one: solves scenes with known answers at several asked errors, a CSV line each.
+
+usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--ranks N] SCENE.json[:REFERENCE.json] ...
+
+A reference is a probe file with the answer `E` (and its own error `err` or `sigma`) at each point; without one the
+scene's own probes are. The true error is the relative L1 over the points beyond the reference's error, worst band:
+of the light gathered at the points, and of that read off the patches."""
+import argparse
+import csv
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+
+STATS = ["estimated_error", "estimated_discretisation_error", "estimated_visibility_error",
+         "estimated_iteration_error", "estimated_patch_error", "converged", "iterations", "links", "rays",
+         "flux_balance", "escaping_share"]
+COLUMNS = ["scene", "target", "true_error", "true_patch_error", *STATS]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("enfilade")
+    parser.add_argument("out")
+    parser.add_argument("cases", nargs="+")
+    parser.add_argument("--targets", default="0.1,0.03,0.01,0.003")
+    parser.add_argument("--ranks", type=int, default=1)
+    options = parser.parse_args()
+    rows = []
+    for case in options.cases:
+        scene, _, reference = case.partition(":")
+        for target in options.targets.split(","):
+            rows.append(measure(options, scene, reference or scene, target))
+            print(*(f"{key}={shown(rows[-1].get(key, ''))}" for key in COLUMNS), flush=True)
+            write(options.out, rows)
+    judge(rows)
+
+
+def shown(value):
+    return f"{value:.3g}" if isinstance(value, float) else value
+
+
+def measure(options, scene, reference, target):
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    with open(reference, encoding="utf-8") as file:
+        points = json.load(file)["probes"]
+    with tempfile.TemporaryDirectory() as folder:
+        def run(*words):
+            subprocess.run(words, check=True, env=environment, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+
+        out = os.path.join(folder, "run")
+        run("mpirun", "--oversubscribe", "-n", str(options.ranks), options.enfilade, "solve", scene, "-o", out,
+            "--no-pictures", "--quiet", "--target-error", target)
+        errors = {}
+        for method in ("gather", "patches"):
+            answers = os.path.join(folder, "answers.json")
+            run(options.enfilade, "probe", out, "--points", reference, "-o", answers, "--from", method)
+            with open(answers, encoding="utf-8") as file:
+                errors[method] = true_error(points, json.load(file)["probes"])
+        with open(os.path.join(out, "stats.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+    name = os.path.basename(reference).split(".json")[0].removesuffix(".ref")
+    return {"scene": name, "target": float(target), "true_error": errors["gather"],
+            "true_patch_error": errors["patches"], **{key: stats.get(key, "") for key in STATS}}
+
+
+def true_error(want, got):
+    worst = 0.0
+    for band in range(len(got[0]["E"])):
+        total = sum(probe["E"][min(band, len(probe["E"]) - 1)] for probe in want)
+        if total <= 0.0:
+            continue
+        beyond = 0.0
+        for probe, answer in zip(want, got):
+            own = probe.get("sigma", probe.get("err", 0.0))
+            own = own[min(band, len(own) - 1)] if isinstance(own, list) else own
+            beyond += max(0.0, abs(answer["E"][band] - probe["E"][min(band, len(probe["E"]) - 1)]) - own)
+        worst = max(worst, beyond / total)
+    return worst
+
+
+def write(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({key: f"{row[key]:.4g}" if isinstance(row[key], float) else row[key] for key in COLUMNS})
+
+
+def judge(rows):
+    """How often the two bars are met: below the target (or said not to be), and an estimate within three times."""
+    kept = [row for row in rows if row["true_error"] < row["target"] or not row["converged"]]
+    ratios = [row["estimated_error"] / row["true_error"] for row in rows if row["true_error"] > 0.0]
+    near = [ratio for ratio in ratios if 1.0 / 3.0 <= ratio <= 3.0]
+    print(f"below the target, or said so: {len(kept)} of {len(rows)}; estimate within 3 times: "
+          f"{len(near)} of {len(ratios)}; median estimate over truth: {statistics.median(ratios):.2g}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

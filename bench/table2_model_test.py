@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+"""Tests of table2_model.py and of study.py's edits of a platform."""
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from study import ROOT, StudyError, edited_platform
+from table2_model import fit, host_speeds, mean_error, null_model
+
+
+class NullModel(unittest.TestCase):
+    def test_is_exact_where_time_is_work_over_speed(self):
+        work, errors = null_model([600.0, 300.0, 150.0], [1.0, 2.0, 4.0])
+        self.assertEqual(work, 600.0)
+        self.assertEqual(mean_error(errors), 0.0)
+
+    def test_takes_the_work_of_least_mean_error(self):
+        work, errors = null_model([100.0, 100.0, 130.0], [1.0, 1.0, 1.0])
+        self.assertEqual(work, 100.0)
+        self.assertAlmostEqual(mean_error(errors), 30.0 / 130.0 / 3.0)
+
+    def test_speeds_are_relative_to_sun1(self):
+        speeds = host_speeds(ROOT / "platforms/irisa_1998.xml")
+        self.assertEqual(speeds["SUN1-1"], 1.0)
+        self.assertLess(max(speeds.values()), 1.0001)  # the paper: SUN1 is the most powerful
+
+
+class Fit(unittest.TestCase):
+    def test_finds_compute_between_the_two_replays(self):
+        tables = {(0.5, 0.01): [(100.0, [50.0, 30.0]), (200.0, [90.0, 50.0])]}
+        key, compute, errors = fit(tables, [70.0, 40.0])
+        self.assertEqual(key, (0.5, 0.01))
+        self.assertAlmostEqual(compute, 150.0)
+        self.assertLess(mean_error(errors), 1e-9)
+
+    def test_a_row_left_out_does_not_count(self):
+        tables = {(0.5, 0.01): [(100.0, [50.0, 30.0]), (200.0, [90.0, 50.0])]}
+        _, compute, errors = fit(tables, [70.0, 1.0], leave_out=1)
+        self.assertAlmostEqual(compute, 150.0)
+        self.assertGreater(errors[1], 1.0)
+
+
+class Edits(unittest.TestCase):
+    def edit(self, edits):
+        with tempfile.TemporaryDirectory() as directory:
+            target = Path(directory) / "platform.xml"
+            edited_platform(ROOT / "platforms/office.xml", edits, target)
+            return xml.parse(target)
+
+    def find(self, tree, name):
+        return next(e for e in tree.iter() if e.get("id") == name)
+
+    def test_attributes_properties_and_disks(self):
+        tree = self.edit([["ethernet", "bandwidth", "1MBps"], ["server-disk", "background", "0.5"],
+                          ["ash", "memory", None], ["elm", "disk", ["elm-disk", "6MBps"]]])
+        self.assertEqual(self.find(tree, "ethernet").get("bandwidth"), "1MBps")
+        self.assertEqual(self.find(tree, "server-disk").find("prop[@id='background']").get("value"), "0.5")
+        self.assertIsNone(self.find(tree, "ash").find("prop"))
+        self.assertEqual(self.find(tree, "elm").find("disk").get("id"), "elm-disk")
+
+    def test_refuses_what_is_not_there(self):
+        with self.assertRaises(StudyError):
+            self.edit([["oak", "speed", "1Gf"]])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,125 @@
+#include "parallel/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/point_gather.hpp"
+
+namespace enfilade {
+namespace {
+
+/// Before the first samples: errors of links have either sign, and mostly cancel where they meet.
+constexpr double share_before_sampling = 0.25;
+/// What is left of the patches' local errors where a point gathers over many of them.
+constexpr double share_seen_together = 1.0 / 3.0;
+
+double relative(double power, double received) {
+  if (power == 0.0) return 0.0;
+  return received > 0.0 ? power / received : 1.0;
+}
+
+/// Share of band b's arriving light that was reflected.
+double reflected_share(const IterationSums& sums, std::size_t b) {
+  return sums.arriving_power[b] > 0.0
+             ? std::clamp(sums.returning_power[b] / sums.arriving_power[b], 0.0, 1.0)
+             : 0.0;
+}
+
+double worst(std::size_t bands, auto&& of_band) {
+  double most = 0.0;
+  for (std::size_t b = 0; b < bands; ++b) most = std::max(most, of_band(b));
+  return most;
+}
+
+const IterationSummary* last_sampled(std::span<const IterationSummary> history) {
+  for (std::size_t i = history.size(); i-- > 0;) {
+    if (history[i].plan.sample) return &history[i];
+  }
+  return nullptr;
+}
+
+/// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
+double residual(const ResidualSums& sums) {
+  return worst(sums.light.size(), [&](std::size_t b) {
+    const double square = sums.off[b] * sums.off[b] - sums.noise[b] * sums.noise[b];
+    return sums.light[b] > 0.0 ? std::sqrt(std::max(0.0, square)) / sums.light[b] : 0.0;
+  });
+}
+
+double local_error(std::span<const IterationSummary> history) {
+  const IterationSums& last = history.back().sums;
+  const double now = relative(last.link_error_power, last.received_power);
+  const IterationSummary* sampled = last_sampled(history);
+  if (sampled == nullptr) return share_before_sampling * now;
+  const double then = relative(sampled->sums.link_error_power, sampled->sums.received_power);
+  return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
+}
+
+/// Share of the emitted light that is neither absorbed nor seen to leave.
+double unbalanced_share(const IterationSums& sums, const Spectrum& emitted, std::size_t b) {
+  if (emitted[b] <= 0.0) return 0.0;
+  return std::abs(emitted[b] - sums.absorbed_power[b] - sums.escaping_power[b]) / emitted[b];
+}
+
+double change_ratio(std::span<const IterationSummary> history) {
+  if (history.size() < 2) return 0.0;
+  const double before = history[history.size() - 2].sums.change_power;
+  return before > 0.0 ? std::min(history.back().sums.change_power / before, 0.9999) : 0.0;
+}
+
+/// Relative L1 of the changes to come, where each is `passed_on` times the one before.
+double still_to_come(const IterationSummary& last, double passed_on) {
+  const double changes = last.sums.change_power * passed_on / (1.0 - passed_on);
+  return relative(changes + last.missing_power, last.sums.received_power);
+}
+
+}  // namespace
+
+double contraction(std::span<const IterationSummary> history) {
+  if (history.empty()) return 0.0;
+  const IterationSums& last = history.back().sums;
+  const double reflected =
+      worst(last.arriving_power.size(), [&](std::size_t b) { return reflected_share(last, b); });
+  return std::min(std::max(reflected, change_ratio(history)), 0.9999);
+}
+
+double sample_noise(const ResidualSums& sums) {
+  return worst(sums.light.size(), [&](std::size_t b) {
+    return sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
+  });
+}
+
+ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& emitted) {
+  ErrorEstimate estimate;
+  if (history.empty()) {
+    estimate.iteration = estimate.patches = estimate.iteration_bound = 1.0;
+    return estimate;
+  }
+  const IterationSummary& last = history.back();
+  const IterationSums& sums = last.sums;
+  estimate.iteration = still_to_come(last, change_ratio(history));
+  estimate.iteration_bound = still_to_come(last, contraction(history));
+  const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
+  const double local = local_error(history);
+  const auto all_over = [&](std::size_t b) {
+    return still ? std::max(0.0, unbalanced_share(sums, emitted, b) - estimate.iteration) : 0.0;
+  };
+  const std::size_t bands = std::min(emitted.size(), sums.absorbed_power.size());
+  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over));
+  double links = bands == 0 ? local : worst(bands, [&](std::size_t b) {
+    return reflected_share(sums, b) * std::hypot(share_seen_together * local, all_over(b));
+  });
+  if (const IterationSummary* sampled = last_sampled(history)) {
+    // The rays of a gathered point bring noise of their own, which falls a little faster than by
+    // the square root as they are stratified.
+    const double fewer = sampled->plan.sample_rays / static_cast<double>(PointGatherConfig{}.rays);
+    links = std::hypot(links, sample_noise(sampled->sums.residual) * std::pow(fewer, 0.6));
+  }
+  const double doubt =
+      sums.link_error_power > 0.0 ? sums.link_doubt_power / sums.link_error_power : 0.0;
+  estimate.visibility = doubt * links;
+  estimate.discretisation = links - estimate.visibility;
+  return estimate;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,16 @@
+// What every rank did over time, on rank 0.
+#pragma once
+
+#include <vector>
+
+#include "comm/communicator.hpp"
+#include "machine/machine.hpp"
+#include "machine/rank_profile.hpp"
+
+namespace enfilade {
+
+/// All ranks call it, after Machine::trace(). By rank, on rank 0, in bins of one width; elsewhere
+/// empty.
+std::vector<RankProfile> gather_profiles(Communicator& communicator, const Machine& machine);
+
+}  // namespace enfilade

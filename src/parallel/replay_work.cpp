@@ -1,0 +1,126 @@
+#include "parallel/replay_work.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace enfilade {
+namespace {
+
+/// Gives the recorded weights out as if they were the sections' bytes.
+class RecordShelf final : public SectionShelf {
+ public:
+  explicit RecordShelf(const Recording& recording) : recording_(recording) {}
+  void open(const std::string&) override {}
+  void close(const std::string&, const std::string&) override {}
+  void write(const std::string&, const SectionInfo&, std::span<const std::byte>) override {}
+  void exchange(const std::string&, const std::string&) override {}
+
+  SectionFile read(const std::string&, ClusterId cluster, Section section, int iteration) override {
+    const ClusterWeight weight = recording_.weight(cluster, iteration);
+    SectionFile file;
+    file.info.cluster = cluster;
+    file.info.section = section;
+    file.info.iteration = static_cast<std::uint32_t>(iteration);
+    RecordCount& count = file.info.count;
+    switch (section) {
+      case Section::geometry:
+        count = {weight.geometry.count, 0, 0, weight.geometry.file_bytes};
+        file.bytes = RecordedCluster::section_bytes(cluster, weight.geometry);
+        break;
+      case Section::patches:
+        count = {0, weight.patches.count, 0, weight.patches.file_bytes};
+        file.bytes = RecordedCluster::section_bytes(cluster, weight.patches);
+        break;
+      case Section::links:
+        count = {0, 0, weight.links.count, weight.links.file_bytes};
+        file.bytes = RecordedCluster::section_bytes(cluster, weight.links);
+        break;
+    }
+    return file;
+  }
+
+ private:
+  const Recording& recording_;
+};
+
+std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
+  const auto most = std::max_element(group_of_cluster.begin(), group_of_cluster.end());
+  return most == group_of_cluster.end() ? 0 : *most + 1;
+}
+
+}  // namespace
+
+ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout,
+                       Rank rank, Machine& machine, std::uint64_t memory_bytes,
+                       MemoryManager manager)
+    : shared_(std::move(shared)),
+      machine_(machine),
+      store_(layout, rank, shared_->prepared.clusters.size(), machine,
+             std::make_unique<RecordShelf>(shared_->recording)),
+      resident_(store_, machine, memory_bytes, manager),
+      groups_(count_groups(shared_->group_of_cluster)),
+      itself_(groups_),
+      coarse_(groups_, shared_->recording.bands) {
+  std::iota(itself_.begin(), itself_.end(), 0u);
+}
+
+void ReplayWork::initialise(std::span<const ClusterId> own) {
+  for (const ClusterId id : own) {
+    resident_.adopt(RecordedCluster(id, shared_->recording.weight(id, 0)));
+  }
+}
+
+void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
+  iteration_ = plan.iteration;
+  store_.set_committed(plan.iteration - 1);
+  if (shared_->recording.light.coarse_correction)
+    coarse_ = CoarseSystem(groups_, shared_->recording.bands);
+  resident_.set_correction({});
+  const LightOrder& light = shared_->recording.light;
+  resident_.set_committed_only(light.jacobi ||
+                               (light.coarse_correction && (plan.refine || plan.sample)));
+}
+
+IterationSums ReplayWork::gather(ClusterId receiver) {
+  const auto neighbours = shared_->prepared.graph.neighbours(receiver.index());
+  std::vector<ClusterId> visible(neighbours.begin(), neighbours.end());
+  visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
+  const auto iteration = static_cast<std::size_t>(iteration_) - 1;
+  const GatherCost& cost = shared_->recording.gathers[iteration][receiver.index()];
+
+  RecordedCluster& state = resident_.pin_receiver(receiver, visible);
+  for (const ClusterId id : visible) {
+    if (id != receiver) resident_.pin_shooter(id);
+  }
+  machine_.compute(cost.sums.work);
+  state.become(cost.patches, cost.links);
+  if (shared_->recording.light.coarse_correction) {
+    CoarseRow row;
+    row.before = row.after = std::vector<double>(shared_->recording.bands, 0.0);
+    for (const std::uint32_t group : cost.coupled) {
+      row.entries.push_back({ClusterId(group), false, row.before});
+    }
+    coarse_.add(shared_->group_of_cluster[receiver.index()], row, itself_);
+  }
+  resident_.write_receiver(receiver);
+  resident_.unpin();
+  return cost.sums;
+}
+
+std::vector<double> ReplayWork::merge(std::span<const double> a, std::span<const double> b) const {
+  CoarseSystem sum = CoarseSystem::from_numbers(a);
+  sum.merge(CoarseSystem::from_numbers(b));
+  return sum.to_numbers();
+}
+
+Correction ReplayWork::correct(std::span<const double>) const {
+  const auto iteration = static_cast<std::size_t>(iteration_) - 1;
+  return {std::vector<double>(groups_ * shared_->recording.bands, 0.0),
+          shared_->recording.history[iteration].missing_power};
+}
+
+void ReplayWork::commit(const std::vector<IterationSummary>&, std::span<const double>, bool) {
+  const PhaseScope phase(machine_, Phase::commit);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,92 @@
+// The lines that join two sides through a row of windows: what a proof of hidden narrows down.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/random.hpp"
+#include "visibility/half_spaces.hpp"
+
+namespace enfilade {
+
+/// A polygon, or what is left of it, that lines start or end at.
+class BeamPart {
+ public:
+  static constexpr std::uint32_t no_number = 0xFFFFFFFFu;  ///< of what is no polygon of the scene
+
+  /// Keeps a pointer to the polygon.
+  BeamPart(std::uint32_t number, const Polygon& whole, const Plane& plane)
+      : number_(number), whole_(&whole), plane_(plane) {}
+
+  std::uint32_t number() const { return number_; }
+  const Polygon& polygon() const { return cut_.empty() ? *whole_ : cut_; }
+  const Plane& plane() const { return plane_; }
+  /// `polygon` is a part of what there was.
+  BeamPart cut_to(Polygon polygon) const {
+    BeamPart part(*this);
+    part.cut_ = std::move(polygon);
+    return part;
+  }
+
+ private:
+  std::uint32_t number_;
+  const Polygon* whole_;
+  Plane plane_;
+  Polygon cut_;
+};
+
+/// Parts of one or several clusters, and points whose hull holds them.
+struct BeamSide {
+  std::vector<BeamPart> parts;
+  Box box;
+  std::vector<Vec3> points;
+};
+
+BeamSide side_of(std::vector<BeamPart> parts);
+
+/// All lines of the beam pass it; `n` is normal to it, towards side b.
+struct Window {
+  Polygon polygon;
+  Vec3 n{0.0};
+};
+
+/// Lines from side a through the windows, in their order, to side b.
+struct Beam {
+  BeamSide a, b;
+  std::vector<Window> windows;
+  /// What of the beam lies beyond window i, seen from a; and before it, seen from b.
+  std::vector<HalfSpaces> beyond, before;
+};
+
+/// Leaves of the sides only what has some of the other in front of it; false where nothing is left.
+bool drop_averted(Beam& beam);
+
+/// Cuts windows and sides to what lines through the other windows reach, everything taken `slack_m`
+/// larger than it is; false where no line is left. Fills `beyond` and `before`.
+bool tighten(Beam& beam, double slack_m);
+
+/// Where the beam crosses a plane, and the windows that lie on both sides of it: those from `first`
+/// to before `end`. Where there are none the plane comes before window `first`.
+struct BeamCrossing {
+  std::size_t first = 0, end = 0;
+  Polygon region;
+};
+
+/// None where the plane does not part the beam in two. What lies in the plane, to `tolerance_m`, is
+/// on the side that it looks to.
+std::optional<BeamCrossing> crossing(const Beam& beam, const Plane& plane, double tolerance_m);
+
+struct BeamLine {
+  const BeamPart* from = nullptr;
+  const BeamPart* to = nullptr;
+  Vec3 a{0.0}, b{0.0};
+};
+
+/// A random line of the beam; none where a few tries find none.
+std::optional<BeamLine> draw_line(const Beam& beam, Random& random);
+/// A random line between the sides that need not pass the windows; none where they do not see each
+/// other.
+std::optional<BeamLine> draw_any_line(const Beam& beam, Random& random);
+
+}  // namespace enfilade

@@ -1,0 +1,67 @@
+#include "parallel/error_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// Light 100 in one band, `reflected` of it by reflection.
+IterationSummary summary(double change, double reflected = 50.0) {
+  IterationSummary s;
+  s.sums.change_power = change;
+  s.sums.received_power = 100.0;
+  s.sums.arriving_power = {100.0};
+  s.sums.returning_power = {reflected};
+  s.sums.absorbed_power = {50.0};
+  s.sums.escaping_power = {0.0};
+  return s;
+}
+const Spectrum emitted{50.0};
+
+TEST(ErrorEstimate, CountsTheChangesThatAreStillToCome) {
+  // At contraction 0.95 the changes still to come are 19 times the last one.
+  const std::vector<IterationSummary> history = {summary(10.0), summary(9.5)};
+  EXPECT_DOUBLE_EQ(contraction(history), 0.95);
+  EXPECT_NEAR(estimate_error(history, emitted).iteration_bound, 9.5 * 19.0 / 100.0, 1e-9);
+}
+
+TEST(ErrorEstimate, AChangeThatFellByLuckIsBoundedByWhatIsReflected) {
+  const std::vector<IterationSummary> history = {summary(10.0, 90.0), summary(0.01, 90.0)};
+  const ErrorEstimate estimate = estimate_error(history, emitted);
+  EXPECT_NEAR(estimate.iteration_bound, 0.01 * 9.0 / 100.0, 1e-9);
+  EXPECT_LT(estimate.iteration, 0.01 * estimate.iteration_bound);
+}
+
+TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
+  history.back().plan.sample = true;
+  history.back().plan.sample_rays = 64;
+  history.back().sums.residual = {{10.0}, {0.1}, {0.5}, {0.3}};
+  EXPECT_NEAR(estimate_error(history, emitted).patches, 0.04, 1e-9);
+  EXPECT_NEAR(sample_noise(history.back().sums.residual), 0.03, 1e-9);
+  // A point gathered for sees half of it, as half of its light is reflected, and less for what
+  // cancels.
+  EXPECT_LT(estimate_error(history, emitted).total(), 0.02);
+}
+
+TEST(ErrorEstimate, FollowsTheLinksAfterTheLastSamples) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0), summary(0.0)};
+  history[1].plan.sample = true;
+  history[1].sums.residual = {{10.0}, {0.1}, {0.4}, {0.0}};
+  history[1].sums.link_error_power = 20.0;
+  history[2].sums.link_error_power = 5.0;
+  EXPECT_NEAR(estimate_error(history, emitted).patches, 0.01, 1e-9);
+}
+
+TEST(ErrorEstimate, LightThatIsNeitherAbsorbedNorLeavingIsAnError) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
+  history.back().sums.absorbed_power = {45.0};
+  EXPECT_NEAR(estimate_error(history, emitted).patches, 0.1, 1e-9);
+  history.back().sums.escaping_power = {5.0};
+  EXPECT_NEAR(estimate_error(history, emitted).patches, 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace enfilade
