@@ -18,8 +18,7 @@ constexpr const char* demo = R"({
 
 // The paper's counts (§5): 57,786 surfaces, 2,000 lights, 615 cells, 12,942 clusters. To tune them
 // anew where cells or clusters are cut otherwise (the test Rr3425 prints what comes out):
-// - Cells: one for each of the 564 rooms, 30 stretches of corridor (fire doors + 1, by storey), 20
-// in
+// - Cells: one for each of the 564 rooms, 30 stretches of corridor (fire doors + 1, by storey), 20 in
 //   the stairwells, and the outside. A fire door adds one a storey; a bay two. Turns and the
 //   windows' width decide how the wings' planes meet: they are to leave every room a cell.
 // - Clusters without surfaces: every piece of furniture is one cluster. For one shelf (30 surfaces)
@@ -37,8 +36,8 @@ constexpr const char* rr3425 = R"({
   "window_width": 1.4,
   "seed": 2,
   "furniture": {"lamp": 666, "desk": 110, "chair": 105, "table": 20, "shelf": 13, "cupboard": 110,
-                "bin": 60, "plant": 25, "monitor": 50, "picture": 394},
-  "ground_furniture": {"lamp": 2, "bin": 1, "picture": 2}
+                "bin": 59, "plant": 25, "monitor": 51, "picture": 392},
+  "ground_furniture": {"lamp": 2, "bin": 1, "chair": 1, "monitor": 1}
 })";
 
 }  // namespace

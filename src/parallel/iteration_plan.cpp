@@ -53,6 +53,26 @@ bool nothing_finer(std::span<const IterationSummary> history) {
   return false;
 }
 
+/// What the links are wrong by: both what is read off the patches and what is gathered from them
+/// shall be as good as asked.
+double links_error(const ErrorEstimate& error) {
+  return std::max(error.patches, error.total()) - error.iteration;
+}
+
+/// Much finer links brought the error down by less than half as fast as they should have: what is
+/// wrong does not come from the links.
+bool no_better(std::span<const IterationSummary> history) {
+  const IterationSummary& now = history.back();
+  for (std::size_t i = history.size() - 1; i-- > 0;) {
+    const IterationSummary& then = history[i];
+    const double finer = now.plan.link_tolerance / then.plan.link_tolerance;
+    if (!then.plan.sample || !(finer <= 1.0 / 8.0)) continue;
+    return links_error(now.error) >
+           std::pow(finer, 0.5 / tolerance_order) * links_error(then.error);
+  }
+  return false;
+}
+
 }  // namespace
 
 IterationPlan first_plan(const PlanConfig& config) {
@@ -85,10 +105,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
   const bool quiet = links_done && last.error.iteration_bound <= tolerance_of(config);
-  // Both what is read off the patches and what is gathered from them shall be as good as asked.
-  const double links_error =
-      std::max(last.error.patches, last.error.total()) - last.error.iteration;
-  const bool fine = links_error <= 0.9 * config.target_error;
+  const double error = links_error(last.error);
+  const bool fine = error <= 0.9 * config.target_error;
   const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
   if (out_of_iterations) {
     plan.finished = true;
@@ -96,8 +114,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   } else if (quiet && !sampled(history)) {
     plan.sample = true;
     plan.sample_rays = rays_of_a_sample(config);
-  } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history)) {
-    const double factor = std::pow(0.8 * config.target_error / links_error, tolerance_order);
+  } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history) &&
+             !no_better(history)) {
+    const double factor = std::pow(0.8 * config.target_error / error, tolerance_order);
     plan.link_tolerance *= std::clamp(factor, 1.0 / 32.0, 0.7);
     plan.refine = true;
   } else if (quiet) {

@@ -46,7 +46,7 @@ void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
   record.set("basis", basis == Basis::linear ? "linear" : "constant");
 }
 
-void describe_iterations(RunRecord& record, const Spectrum& emitted,
+void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& emitted,
                          const std::vector<IterationSummary>& history, const IterationPlan& last) {
   IterationSums all;
   for (const IterationSummary& summary : history) add(all, summary.sums);
@@ -58,7 +58,7 @@ void describe_iterations(RunRecord& record, const Spectrum& emitted,
   record.set(
       "residual",
       RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
-  const ErrorEstimate error = estimate_error(history, emitted);
+  const ErrorEstimate error = estimate_error(history, balanced_power(scene, emitted));
   record.set("estimated_error", RunRecord::Value(error.total()));
   record.set("estimated_discretisation_error", RunRecord::Value(error.discretisation));
   record.set("estimated_visibility_error", RunRecord::Value(error.visibility));
@@ -107,7 +107,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   if (!communicator.root()) return record;
 
   describe_scene(record, prepared, basis);
-  describe_iterations(record, emitted, history, last);
+  describe_iterations(record, prepared.scene, emitted, history, last);
   record.set("ranks", communicator.size());
   record.set("messages", sum(column(ranks, 5)));
   record.set("message_bytes", sum(column(ranks, 6)));

@@ -157,7 +157,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
         {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
         manifest ? manifest->correction : std::vector<double>{}, so_far,
         [&](std::vector<IterationSummary>& done) {
-          done.back().error = estimate_error(done, emitted);
+          done.back().error = estimate_error(done, balanced_power(prepared.scene, emitted));
           return next_plan(done, plan_config);
         },
         observer);
