@@ -86,13 +86,13 @@ TEST(Leaks, AGapOfMillimetresIsToldAndBreaksNoRoom) {
 
 TEST(Leaks, ARoomThatIsTooOpenIsLostToTheOutside) {
   // The left room keeps its floor and ceiling and the wall with the door; of its other three walls,
-  // a hand's breadth.
+  // the lowest fifth.
   plan::Plan plan = plan::two_rooms();
   std::erase_if(plan.polygons, [](const Polygon& p) {
     const Box box = bounds(p);
     return box.hi.x == 0.0 || box.hi.y == 0.0 || (box.lo.y == 4.0 && box.hi.x == 10.0);
   });
-  const Vec3 z(0, 0, 2.5), strip(0, 0, 0.1);
+  const Vec3 z(0, 0, 2.5), strip(0, 0, 0.5);
   plan.rectangle({4, 0, 0}, z, {6, 0, 0});
   plan.rectangle({4, 4, 0}, {6, 0, 0}, z);
   plan.rectangle({0, 0, 0}, {0, 4, 0}, strip);
