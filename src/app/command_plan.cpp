@@ -165,7 +165,7 @@ void add_subject_options(CLI::App& sub, PlanOptions& o) {
   sub.add_option("--ranks", o.ranks,
                  "Compute an assignment to so many ranks; default: that of the solve")
       ->check(CLI::Range(1, 1000000));
-  sub.add_option("--assignment", o.assignment, "How: kmeans, metis or round-robin")
+  sub.add_option("--assignment", o.assignment, "How: kmeans, metis, greedy or round-robin")
       ->needs("--ranks")
       ->capture_default_str();
   sub.add_option("--seed", o.seed, "Of kmeans and metis")->needs("--ranks")->capture_default_str();

@@ -1,5 +1,7 @@
 // enfilade render: a picture of the solved scene.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "app/command.hpp"
@@ -57,6 +59,20 @@ void check(const RenderOptions& options) {
   if (options.eye.empty() != options.look_at.empty()) {
     throw InputError("command line", "render", "--eye and --look-at belong together",
                      "give both or neither");
+  }
+  for (const auto& [name, numbers] :
+       {std::pair{"--eye", &options.eye}, {"--look-at", &options.look_at}, {"--up", &options.up}}) {
+    if (std::ranges::all_of(*numbers, [](double x) { return std::isfinite(x); })) continue;
+    throw InputError("command line", name, "is no point", "give three finite numbers");
+  }
+  if (!options.eye.empty() && options.eye == options.look_at) {
+    throw InputError("command line", "--look-at", "is where the eye is", "look at another point");
+  }
+  if (!options.up.empty() && point(options.up) == Vec3(0.0)) {
+    throw InputError("command line", "--up", "has no direction", "give another, as 0 0 1");
+  }
+  if (options.scale.highest > 0.0 && options.scale.lowest >= options.scale.highest) {
+    throw InputError("command line", "--highest", "is not above --lowest", "give a higher one");
   }
   if (!options.output.ends_with(".png")) {
     throw InputError("command line", "-o", "'" + options.output + "' is no .png file",

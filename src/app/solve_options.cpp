@@ -179,7 +179,7 @@ void SolveOptions::check_replay() const {
 SolveConfig SolveOptions::config() const {
   if (input.empty() == replay.empty()) {
     throw InputError("command line", "solve", "takes either a scene or --replay RUN",
-                     "name one of them; see enfilade solve --help");
+                     "name one of them; see 'enfilade solve --help'");
   }
   if (!replay.empty()) check_replay();
   if (output.empty() && !is_directory(input)) {

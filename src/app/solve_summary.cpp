@@ -103,22 +103,24 @@ Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
                            iterations, percent("estimated_error"), percent("estimated_patch_error"),
                            percent("target_error"),
                            iterations < max_iterations
-                               ? "finer links bring nothing more, ask for a larger --target-error"
+                               ? "finer links bring little more, ask for a larger --target-error"
                                : "go on with --resume and a larger --max-iterations"));
   return warnings;
 }
 
 std::string solve_summary(const std::string& run_directory, const RunRecord& record) {
   const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
-  const char* state = gave_up(record) ? ": gave up before it converged"
-                      : reached       ? ": solved"
-                                      : ": converged above the asked error";
+  const bool replayed = record.find("replayed") != nullptr;
+  const char* state = replayed          ? ": replayed"
+                      : gave_up(record) ? ": gave up before it converged"
+                      : reached         ? ": solved"
+                                        : ": converged above the asked error";
   TextTable table(run_directory + state);
   for (const Row& row : summary_rows) {
     if (const auto* value = record.find(row.key))
       table.add(row.label, shown_value(row.key, *value));
   }
-  table.add("look at", run_directory + "/report.html");
+  table.add("look at", run_directory + (replayed ? "/stats.json" : "/report.html"));
   return table.text();
 }
 

@@ -128,15 +128,15 @@ Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
     const bool rises = std::any_of(
         wall.begin(), wall.end(), [&](const Vec3& v) { return glm::dot(n, v - p) > 4.0 * step_m; });
     const Plane plane = plane_of(wall);
-    if (rises && plane.signed_distance(above) < step_m) away.push_back(plane.n);
+    // Between walls back to back there is no telling which side is meant: the first in the file's.
+    const bool opposed = std::any_of(away.begin(), away.end(),
+                                     [&](const Vec3& o) { return glm::dot(plane.n, o) < -0.999; });
+    if (rises && !opposed && plane.signed_distance(above) < step_m) away.push_back(plane.n);
   }
   Vec3 x = above;
   for (const Vec3& m : away) {
-    // Between walls back to back there is no telling which room is meant.
-    const bool opposed = std::any_of(away.begin(), away.end(),
-                                     [&](const Vec3& o) { return glm::dot(m, o) < -0.999; });
     const double short_m = step_m - glm::dot(m, x - above);
-    if (!opposed && short_m > 0.0) x += short_m * m;
+    if (short_m > 0.0) x += short_m * m;
   }
   return x;
 }
@@ -158,6 +158,10 @@ Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   const BrightPolygons::Counted counted = impl_->bright.add_largest(x, n, own, e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
   impl_->add_hemisphere(x, n, own, random, counted, e);
+  // What is counted at first and taken away ray by ray leaves its rounding behind.
+  for (std::size_t b = 0; b < impl_->bands; ++b) {
+    if (e[b] < 1e-12 * counted.ambient[b]) e[b] = 0.0;
+  }
   return e;
 }
 

@@ -5,6 +5,12 @@
 #include "radiosity/form_factor.hpp"
 
 namespace enfilade {
+namespace {
+
+/// Of a closed form and of where its corners were cut: what is smaller is a sliver of nothing.
+constexpr double rounding = 1e-12;
+
+}  // namespace
 
 void VisibleParts::begin(const Vec3& x, std::span<const Vec3> polygon, double tolerance_m) {
   x_ = x;
@@ -86,7 +92,7 @@ void VisibleParts::cut(std::span<const Vec3> part) {
 double VisibleParts::factor(const Vec3& n) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < size(); ++i) sum += point_to_polygon(x_, n, (*this)[i]);
-  return sum;
+  return sum > rounding ? sum : 0.0;
 }
 
 }  // namespace enfilade

@@ -88,7 +88,8 @@ class OwnFiles(InRun):
         (self.run_directory / "pictures/storey-1-assignment.svg").write_text("of the old solution")
         self.assertEqual(enfilade("prepare", ROOM, "-o", self.run_directory).returncode, 0)
         self.assertEqual(sorted(p.name for p in self.run_directory.iterdir()),
-                         ["cells.bin", "clusters.bin", "graph.txt", "notes.txt", "pictures", "run.json", "scene.json"])
+                         ["cells.bin", "clusters.bin", "graph.txt", "leaks.json", "notes.txt", "pictures", "run.json",
+                          "scene.json"])
         self.assertEqual(sorted(p.name for p in (self.run_directory / "pictures").iterdir()),
                          ["storey-1-cells.png", "storey-1-cells.svg"])
 
@@ -111,7 +112,7 @@ class SaidAgain(InRun):
         result = enfilade("solve", ROOM, "-o", run, "--no-pictures", "--quiet", "--max-iterations", "2")
         self.assertEqual((result.returncode, result.stdout), (0, ""))
         self.assertEqual(len(faults(result)), 1, result.stderr)
-        self.assertRegex(faults(result)[0], r"warning: .*2 iterations.*estimated error .*%, asked 2%.*--max-iterations")
+        self.assertRegex(faults(result)[0], r"warning: .*2 iterations.*estimated error .*%.*, asked 2%.*--max-iterations")
         self.assertIn("--max-iterations", (run / "warnings.json").read_text())
         more = enfilade("solve", run, "--no-pictures", "--quiet", "--resume")
         self.assertEqual((more.returncode, faults(more)), (0, []))
