@@ -55,8 +55,9 @@ double local_error(std::span<const IterationSummary> history) {
   return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
 }
 
-/// Share of the emitted light that was made or lost on the way. More absorbed than emitted is always
-/// wrong; less is right as far as the rest was seen to leave (or may have ended on a black side).
+/// Share of the emitted light that was made or lost on the way. More absorbed than emitted is
+/// always wrong; less is right as far as the rest was seen to leave (or may have ended on a black
+/// side).
 double unbalanced_share(const IterationSums& sums, const Spectrum& emitted, std::size_t b) {
   if (emitted[b] <= 0.0) return 0.0;
   const double missing = emitted[b] - sums.absorbed_power[b];
