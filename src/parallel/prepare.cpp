@@ -29,8 +29,8 @@ std::string options_of(const PrepareConfig& config) {
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
-  const auto& [first_rays, rays, max_pair_parts, all_pair_parts, window_rays, window_parts,
-               max_planes, most_open, max_pieces, pair_seed] = occlusion;
+  const auto& [first_rays, rays, max_pair_parts, max_depth, min_pair_parts, all_pair_parts,
+               window_rays, window_parts, max_planes, most_open, max_pieces, pair_seed] = occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -49,6 +49,8 @@ std::string options_of(const PrepareConfig& config) {
                                        {"occlusion_first_rays", first_rays},
                                        {"occlusion_rays", rays},
                                        {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_max_depth", max_depth},
+                                       {"occlusion_min_parts", min_pair_parts},
                                        {"occlusion_all_parts", all_pair_parts},
                                        {"occlusion_window_rays", window_rays},
                                        {"occlusion_window_parts", window_parts},
