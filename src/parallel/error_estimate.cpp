@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/light_balance.hpp"
 #include "radiosity/point_gather.hpp"
 
 namespace enfilade {
@@ -55,15 +56,6 @@ double local_error(std::span<const IterationSummary> history) {
   return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
 }
 
-/// Share of the emitted light that was made or lost on the way. More absorbed than emitted is
-/// always wrong; less is right as far as the rest was seen to leave (or may have ended on a black
-/// side).
-double unbalanced_share(const IterationSums& sums, const Spectrum& emitted, std::size_t b) {
-  if (emitted[b] <= 0.0) return 0.0;
-  const double missing = emitted[b] - sums.absorbed_power[b];
-  return std::max({-missing, missing - sums.escaping_power[b], 0.0}) / emitted[b];
-}
-
 double change_ratio(std::span<const IterationSummary> history) {
   if (history.size() < 2) return 0.0;
   const double before = history[history.size() - 2].sums.change_power;
@@ -92,11 +84,7 @@ double sample_noise(const ResidualSums& sums) {
   });
 }
 
-Spectrum balanced_power(const Scene& scene, const Spectrum& emitted) {
-  return scene.lights.empty() ? emitted : Spectrum(emitted.size(), 0.0);
-}
-
-ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& balanced) {
+ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces) {
   ErrorEstimate estimate;
   if (history.empty()) {
     estimate.iteration = estimate.patches = estimate.iteration_bound = 1.0;
@@ -109,9 +97,10 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
   const double local = local_error(history);
   const auto all_over = [&](std::size_t b) {
-    return still ? std::max(0.0, unbalanced_share(sums, balanced, b) - estimate.iteration) : 0.0;
+    return still ? std::max(0.0, std::abs(unbalanced_share(sums, surfaces, b)) - estimate.iteration)
+                 : 0.0;
   };
-  const std::size_t bands = std::min(balanced.size(), sums.absorbed_power.size());
+  const std::size_t bands = std::min(surfaces.size(), sums.absorbed_power.size());
   estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over));
   double links = bands == 0 ? local : worst(bands, [&](std::size_t b) {
     return reflected_share(sums, b) * std::hypot(share_seen_together * local, all_over(b));

@@ -15,7 +15,7 @@ IterationSummary summary(double change, double reflected = 50.0) {
   s.sums.arriving_power = {100.0};
   s.sums.returning_power = {reflected};
   s.sums.absorbed_power = {50.0};
-  s.sums.escaping_power = {0.0};
+  s.sums.escaping_power = s.sums.beamed_power = {0.0};
   return s;
 }
 const Spectrum emitted{50.0};
