@@ -101,10 +101,10 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
                  : 0.0;
   };
   const std::size_t bands = std::min(surfaces.size(), sums.absorbed_power.size());
-  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over));
   double links = bands == 0 ? local : worst(bands, [&](std::size_t b) {
     return reflected_share(sums, b) * std::hypot(share_seen_together * local, all_over(b));
   });
+  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over)) + links;
   if (const IterationSummary* sampled = last_sampled(history)) {
     // The rays of a gathered point bring noise of their own, which falls a little faster than by
     // the square root as they are stratified.

@@ -17,7 +17,7 @@ double contraction(std::span<const IterationSummary> history);
 /// what is wrong from place to place (less the sampling's own noise); that follows the sum of the
 /// links' errors until points are sampled again. What is wrong all over shows in the balance of
 /// light. A point that is gathered for sees only the share of this that is reflected, and local
-/// errors cancel there.
+/// errors cancel there; a patch sees that too, beside what is wrong with its own light.
 /// Iterations: the series of the changes to come (§8), and its bound by the contraction above. The
 /// last change alone, the paper's T, understates it by up to 1 / (1 - contraction).
 /// `surfaces`: surfaces_power() of light_balance.hpp.

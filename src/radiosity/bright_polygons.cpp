@@ -4,13 +4,10 @@
 #include <numeric>
 
 #include "radiosity/form_factor.hpp"
-#include "radiosity/visible_parts.hpp"
+#include "radiosity/seen_factor.hpp"
 
 namespace enfilade {
 namespace {
-
-/// Up to so many are cut away exactly.
-constexpr std::size_t most_occluders = 16;
 
 double top_radiosity(const PatchForest& f, std::size_t k) {
   const auto terms = static_cast<std::size_t>(f.terms());
@@ -94,22 +91,6 @@ std::vector<double> BrightPolygons::weights(const std::vector<Bright>& polygons,
   return weight;
 }
 
-/// False where too much stands between.
-bool BrightPolygons::exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                                  double& factor) const {
-  std::vector<std::uint32_t> between;
-  if (!occluders_->find_between({p}, b.corners, own, b.polygon, most_occluders, between)) {
-    return false;
-  }
-  VisibleParts parts;
-  parts.begin(p, b.corners, occluders_->tolerance_m());
-  for (const std::uint32_t occluder : between) {
-    if (!parts.hide(occluders_->polygon(occluder))) return false;
-  }
-  factor = parts.factor(n);
-  return true;
-}
-
 /// Mean radiosity of the others that were not counted, by what each would give if nothing hid it.
 Spectrum BrightPolygons::ambient(std::span<const double> weights, std::span<const char> counted,
                                  std::size_t bands) const {
@@ -134,20 +115,24 @@ BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n
   const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
   const double total = std::accumulate(other.begin(), other.end(), total_bright);
   std::vector<std::pair<const Bright*, double>> factors;
-  double factor = 0.0;
+  const auto exact = [&](const Bright& b) {
+    return seen_factor(*occluders_, p, n, own, b.polygon, b.corners);
+  };
   for (std::size_t i = 0; i < bright_.size(); ++i) {
     if (bright[i] <= 1e-6 * total_bright || bright[i] <= 0.0) continue;
     const Bright& b = bright_[i];
+    const std::optional<double> factor = exact(b);
     // A hidden part smaller than a thousandth of all that is bright here does not matter.
-    if (!exact_factor(p, n, own, b, factor)) {
-      factor =
-          visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total_bright / b.top, 0);
-    }
-    factors.emplace_back(&b, factor);
+    const double threshold = 5e-4 * total_bright / b.top;
+    factors.emplace_back(
+        &b,
+        factor ? *factor : visible_factor(p, n, own, b, b.forest->node(b.k).shape, threshold, 0));
   }
   for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (other[i] <= 5e-3 * total || !exact_factor(p, n, own, others_[i], factor)) continue;
-    factors.emplace_back(&others_[i], factor);
+    if (other[i] <= 5e-3 * total) continue;
+    if (const std::optional<double> factor = exact(others_[i])) {
+      factors.emplace_back(&others_[i], *factor);
+    }
   }
   for (const auto& [b, f] : factors) counted.polygons[b->polygon] = 1;
   counted.ambient = ambient(other, counted.polygons, irradiance.size());

@@ -50,8 +50,6 @@ class BrightPolygons {
                                      const Vec3& n, std::uint32_t own);
   Spectrum ambient(std::span<const double> weights, std::span<const char> counted,
                    std::size_t bands) const;
-  bool exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                    double& factor) const;
   double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
                         const PatchShape& shape, double threshold, int depth) const;
 

@@ -5,6 +5,7 @@
 
 #include "base/sampling.hpp"
 #include "radiosity/form_factor.hpp"
+#include "radiosity/seen_factor.hpp"
 
 namespace enfilade {
 namespace {
@@ -30,6 +31,14 @@ double top(std::span<const double> light, std::size_t terms) {
   double most = 0.0;
   for (std::size_t i = 0; i < light.size(); i += terms) most = std::max(most, light[i]);
   return most;
+}
+
+Polygon corners_of(const PatchForest& forest, std::uint32_t polygon) {
+  Polygon corners;
+  for (const Vec2& c : forest.node(polygon).shape.vertices) {
+    corners.push_back(forest.frames()[polygon].at(c));
+  }
+  return corners;
 }
 
 void add_bands(Spectrum& sum, const Spectrum& part) {
@@ -73,8 +82,13 @@ void ResidualSamples::place(const ClusterState& receiver) {
     for (sum += node.shape.area_m2 * density; next < sum; next += 1.0) {
       const PolygonFrame& frame = patches.frames()[node.id.root];
       const double r1 = random_.uniform(), r2 = random_.uniform();
-      Point point{node.id.root,  frame.at(point_in(node.shape, r1, r2)), frame.n,
-                  1.0 / density, top(patches.irradiance(i), terms),      {}};
+      Point point{node.id.root,
+                  frame.at(point_in(node.shape, r1, r2)),
+                  frame.n,
+                  1.0 / density,
+                  top(patches.irradiance(i), terms),
+                  {},
+                  {}};
       point.light.fill(Spectrum(bands_, 0.0));
       point.x += 2.0 * occluders_->rays().epsilon_m() * frame.n;
       points_.push_back(std::move(point));
@@ -132,21 +146,61 @@ void ResidualSamples::from(const PointLight& light) {
 
 void ResidualSamples::from(const ClusterState& shooter) {
   if (points_.empty()) return;
+  count_means(shooter);
   const PatchForest& forest = shooter.patches();
+  const auto terms = static_cast<std::size_t>(forest.terms());
   const auto less = [](const Hit& hit, ClusterId id) { return hit.polygon.cluster < id; };
   std::vector<double> radiosity(bands_);
   const double share = 2.0 / config_.rays;
   for (auto hit = std::lower_bound(hits_.begin(), hits_.end(), shooter.id(), less);
        hit != hits_.end() && hit->polygon.cluster == shooter.id(); ++hit) {
     Point& point = points_[hit->point];
-    if (is_bright(forest, hit->polygon.polygon, point)) continue;
-    forest.evaluate(true, hit->polygon.polygon, hit->y, radiosity);
+    const std::uint32_t k = hit->polygon.polygon;
+    const bool counted = std::binary_search(point.counted.begin(), point.counted.end(), k);
+    if (!counted && is_bright(forest, k, point)) continue;
+    forest.evaluate(true, k, hit->y, radiosity);
     Spectrum& light = point.light[static_cast<std::size_t>(hit->half)];
-    for (std::size_t b = 0; b < bands_; ++b) light[b] += share * radiosity[b];
+    for (std::size_t b = 0; b < bands_; ++b) {
+      light[b] += share * (radiosity[b] - (counted ? forest.radiosity(k)[b * terms] : 0.0));
+    }
   }
-  for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
-    for (Point& point : points_) {
-      if (is_bright(forest, k, point)) from_bright(shooter, k, point);
+}
+
+/// What a polygon would bring at most if nothing hid it, as a share of the point's light.
+double ResidualSamples::brings(const PatchForest& forest, std::uint32_t polygon,
+                               const Point& point) const {
+  const PolygonFrame& frame = forest.frames()[polygon];
+  const double most = top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
+  if (most <= 0.0 || glm::dot(frame.n, point.x - frame.origin) <= 0.0) return 0.0;
+  ++work_->form_factors;
+  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) /
+         std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
+}
+
+/// Closed forms of all that matters and is hidden by few, so that rays have only to find what
+/// differs from the mean radiosities; of bright ones behind many, rays to them.
+void ResidualSamples::count_means(const ClusterState& shooter) {
+  const PatchForest& forest = shooter.patches();
+  const auto terms = static_cast<std::size_t>(forest.terms());
+  for (Point& point : points_) {
+    point.counted.clear();
+    const std::uint32_t own = occluders_->global(receiver_, point.polygon);
+    for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
+      const std::uint32_t number = occluders_->global(shooter.id(), k);
+      const bool bright = is_bright(forest, k, point);
+      if (number == own || brings(forest, k, point) <= (bright ? 1e-6 : 5e-3)) continue;
+      ++work_->form_factors;
+      const std::optional<double> factor =
+          seen_factor(*occluders_, point.x, point.n, own, number, corners_of(forest, k));
+      if (!factor) {
+        if (bright) from_bright(shooter, k, point);
+        continue;
+      }
+      point.counted.push_back(k);
+      for (Spectrum& half : point.light) {
+        for (std::size_t b = 0; b < bands_; ++b)
+          half[b] += *factor * forest.radiosity(k)[b * terms];
+      }
     }
   }
 }
@@ -157,15 +211,8 @@ void ResidualSamples::from_bright(const ClusterState& shooter, std::uint32_t pol
   const PatchForest& forest = shooter.patches();
   const PolygonFrame& frame = forest.frames()[polygon];
   const PatchShape& shape = forest.node(polygon).shape;
-  Polygon corners;
-  for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
-  ++work_->form_factors;
-  const double factor = point_to_polygon(point.x, point.n, corners);
-  if (factor <= 0.0) return;
-  const double brings =
-      factor * top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
-  const double part = brings / std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
-  if (part < 1e-6) return;
+  const double factor = point_to_polygon(point.x, point.n, corners_of(forest, polygon));
+  const double part = brings(forest, polygon, point);
   const int rays = std::clamp(static_cast<int>(0.25 * config_.rays * part), 4, 256);
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   const std::uint32_t skip = occluders_->global(shooter.id(), polygon);

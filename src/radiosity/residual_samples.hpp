@@ -1,5 +1,5 @@
-// A second opinion on the light of a cluster: gathered anew at sampled points, by rays and closed
-// forms that the links had no part in. What it differs by is the residual, the one part of the
+// A second opinion on the light of a cluster: gathered anew at sampled points, by closed forms and
+// rays that the links had no part in. What it differs by is the residual, the one part of the
 // error that can be seen without knowing the answer (Lischinski, Smits, Greenberg 1994).
 #pragma once
 
@@ -52,6 +52,8 @@ class ResidualSamples {
     double area_m2;     ///< that it stands for
     double irradiance;  ///< on the patches, before; worst band
     std::array<Spectrum, 2> light;
+    /// Of the shooter at hand, ascending: polygons whose mean radiosity has been counted in full.
+    std::vector<std::uint32_t> counted;
   };
   struct Hit {
     PolygonRef polygon;
@@ -61,7 +63,9 @@ class ResidualSamples {
   };
   void place(const ClusterState& receiver);
   void cast_rays();
+  double brings(const PatchForest& forest, std::uint32_t polygon, const Point& point) const;
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
+  void count_means(const ClusterState& shooter);
   void from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point);
 
   const Occluders* occluders_;
