@@ -5,7 +5,6 @@
 
 #include "base/sampling.hpp"
 #include "radiosity/form_factor.hpp"
-#include "radiosity/seen_factor.hpp"
 
 namespace enfilade {
 namespace {
@@ -32,6 +31,9 @@ double top(std::span<const double> light, std::size_t terms) {
   for (std::size_t i = 0; i < light.size(); i += terms) most = std::max(most, light[i]);
   return most;
 }
+
+/// What may bring less than this share of a point's light is left to the rays.
+constexpr double least_share = 5e-3;
 
 Polygon corners_of(const PatchForest& forest, std::uint32_t polygon) {
   Polygon corners;
@@ -62,7 +64,8 @@ ResidualSamples::ResidualSamples(const ClusterState& receiver, const Occluders& 
       work_(&work),
       receiver_(receiver.id()),
       bands_(static_cast<std::size_t>(receiver.bands())),
-      random_(0x5EED0000u + receiver.id().value) {
+      random_(0x5EED0000u + receiver.id().value),
+      seen_(occluders) {
   if (config_.rays <= 0) return;
   place(receiver);
   cast_rays();
@@ -146,7 +149,7 @@ void ResidualSamples::from(const PointLight& light) {
 
 void ResidualSamples::from(const ClusterState& shooter) {
   if (points_.empty()) return;
-  count_means(shooter);
+  for (Point& point : points_) count_means(shooter, point);
   const PatchForest& forest = shooter.patches();
   const auto terms = static_cast<std::size_t>(forest.terms());
   const auto less = [](const Hit& hit, ClusterId id) { return hit.polygon.cluster < id; };
@@ -156,51 +159,55 @@ void ResidualSamples::from(const ClusterState& shooter) {
        hit != hits_.end() && hit->polygon.cluster == shooter.id(); ++hit) {
     Point& point = points_[hit->point];
     const std::uint32_t k = hit->polygon.polygon;
-    const bool counted = std::binary_search(point.counted.begin(), point.counted.end(), k);
-    if (!counted && is_bright(forest, k, point)) continue;
+    const SeenNode* counted = node_around(point.counted, forest, k, hit->y);
+    if (counted == nullptr && is_bright(forest, k, point)) continue;
     forest.evaluate(true, k, hit->y, radiosity);
     Spectrum& light = point.light[static_cast<std::size_t>(hit->half)];
     for (std::size_t b = 0; b < bands_; ++b) {
-      light[b] += share * (radiosity[b] - (counted ? forest.radiosity(k)[b * terms] : 0.0));
+      light[b] += share * (radiosity[b] -
+                           (counted != nullptr ? forest.radiosity(counted->node)[b * terms] : 0.0));
     }
   }
 }
 
 /// What a polygon would bring at most if nothing hid it, as a share of the point's light.
-double ResidualSamples::brings(const PatchForest& forest, std::uint32_t polygon,
-                               const Point& point) const {
+double ResidualSamples::share_of(const PatchForest& forest, std::uint32_t polygon,
+                                 const Point& point) const {
   const PolygonFrame& frame = forest.frames()[polygon];
   const double most = top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
   if (most <= 0.0 || glm::dot(frame.n, point.x - frame.origin) <= 0.0) return 0.0;
   ++work_->form_factors;
-  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) /
-         std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
+  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) / light_at(point);
 }
 
 /// Closed forms of all that matters and is hidden by few, so that rays have only to find what
 /// differs from the mean radiosities; of bright ones behind many, rays to them.
-void ResidualSamples::count_means(const ClusterState& shooter) {
+void ResidualSamples::count_means(const ClusterState& shooter, Point& point) {
   const PatchForest& forest = shooter.patches();
   const auto terms = static_cast<std::size_t>(forest.terms());
-  for (Point& point : points_) {
-    point.counted.clear();
-    const std::uint32_t own = occluders_->global(receiver_, point.polygon);
-    for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
-      const std::uint32_t number = occluders_->global(shooter.id(), k);
-      const bool bright = is_bright(forest, k, point);
-      if (number == own || brings(forest, k, point) <= (bright ? 1e-6 : 5e-3)) continue;
-      ++work_->form_factors;
-      const std::optional<double> factor =
-          seen_factor(*occluders_, point.x, point.n, own, number, corners_of(forest, k));
-      if (!factor) {
-        if (bright) from_bright(shooter, k, point);
-        continue;
-      }
-      point.counted.push_back(k);
-      for (Spectrum& half : point.light) {
-        for (std::size_t b = 0; b < bands_; ++b)
-          half[b] += *factor * forest.radiosity(k)[b * terms];
-      }
+  const std::uint32_t own = occluders_->global(receiver_, point.polygon);
+  std::vector<SeenNode> nodes;
+  point.counted.clear();
+  for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
+    const bool bright = is_bright(forest, k, point);
+    if (occluders_->global(shooter.id(), k) == own ||
+        share_of(forest, k, point) <= (bright ? 1e-6 : least_share)) {
+      continue;
+    }
+    if (seen_.look(point.x, point.n, own, shooter.id(), forest, k, least_share * light_at(point),
+                   nodes)) {
+      point.counted.insert(point.counted.end(), nodes.begin(), nodes.end());
+    } else if (bright) {
+      from_bright(shooter, k, point);
+    }
+  }
+  std::sort(point.counted.begin(), point.counted.end(),
+            [](const SeenNode& a, const SeenNode& b) { return a.node < b.node; });
+  work_->form_factors += point.counted.size();
+  for (const auto& [node, factor] : point.counted) {
+    for (Spectrum& half : point.light) {
+      for (std::size_t b = 0; b < bands_; ++b)
+        half[b] += factor * forest.radiosity(node)[b * terms];
     }
   }
 }
@@ -212,7 +219,7 @@ void ResidualSamples::from_bright(const ClusterState& shooter, std::uint32_t pol
   const PolygonFrame& frame = forest.frames()[polygon];
   const PatchShape& shape = forest.node(polygon).shape;
   const double factor = point_to_polygon(point.x, point.n, corners_of(forest, polygon));
-  const double part = brings(forest, polygon, point);
+  const double part = share_of(forest, polygon, point);
   const int rays = std::clamp(static_cast<int>(0.25 * config_.rays * part), 4, 256);
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   const std::uint32_t skip = occluders_->global(shooter.id(), polygon);
