@@ -13,6 +13,8 @@ namespace {
 constexpr double share_before_sampling = 0.25;
 /// What is left of the patches' local errors where a point gathers over many of them.
 constexpr double share_seen_together = 1.0 / 3.0;
+/// An error below this share of the sampling's noise cannot be told from none.
+constexpr double share_hidden_by_noise = 0.1;
 
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;
@@ -42,8 +44,10 @@ const IterationSummary* last_sampled(std::span<const IterationSummary> history) 
 /// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
 double residual(const ResidualSums& sums) {
   return worst(sums.light.size(), [&](std::size_t b) {
-    const double square = sums.off[b] * sums.off[b] - sums.noise[b] * sums.noise[b];
-    return sums.light[b] > 0.0 ? std::sqrt(std::max(0.0, square)) / sums.light[b] : 0.0;
+    const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
+    const double seen = std::sqrt(std::max(0.0, square));
+    return sums.light[b] > 0.0 ? std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b]
+                               : 0.0;
   });
 }
 
