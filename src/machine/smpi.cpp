@@ -23,8 +23,8 @@ namespace {
 namespace s4u = simgrid::s4u;
 
 /// The arm of a disk: first come, first served, one request at a time. All ranks share one address
-/// space, so it hangs on the disk itself, where every rank finds it. When a request is done is known
-/// as soon as it has come: those before it have said how long they take.
+/// space, so it hangs on the disk itself, where every rank finds it. When a request is done is
+/// known as soon as it has come: those before it have said how long they take.
 struct DiskArm {
   double free_s = 0.0;  ///< when it is done with all requests so far
   double seek_s = 0.0;

@@ -20,8 +20,8 @@ class NextUses {
   void done(ClusterId receiver);
   /// It is another rank's from now on.
   void gave(ClusterId receiver);
-  /// Turns from now until a cluster (or its links) is used, going round; what nobody here uses comes
-  /// after all others.
+  /// Turns from now until a cluster (or its links) is used, going round; what nobody here uses
+  /// comes after all others.
   std::uint64_t of(ClusterId cluster, bool links);
 
  private:

@@ -61,8 +61,7 @@ std::optional<ClusterId> TaskList::next() {
 
 std::optional<ClusterId> TaskList::give(std::span<const ClusterId> resident) {
   if (waiting() == 0) return std::nullopt;
-  const std::vector<std::uint64_t> bytes =
-      cost_->given(resident, std::span(turns_).subspan(done_));
+  const std::vector<std::uint64_t> bytes = cost_->given(resident, std::span(turns_).subspan(done_));
   std::size_t least = 0;
   for (std::size_t i = 1; i < bytes.size(); ++i) {
     if (bytes[i] <= bytes[least]) least = i;

@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// A block is one piece, in the smallest hole that it fits into, else at the end; neighbouring holes
-/// become one; only what is free at the end goes back.
+/// A block is one piece, in the smallest hole that it fits into, else at the end; neighbouring
+/// holes become one; only what is free at the end goes back.
 class HeapMap {
  public:
   AddressRange take(std::uint64_t bytes);
@@ -23,7 +23,7 @@ class HeapMap {
   void remove_hole(std::map<std::uint64_t, std::uint64_t>::iterator hole);
 
   std::uint64_t end_ = 0;
-  std::map<std::uint64_t, std::uint64_t> holes_;  ///< address -> bytes
+  std::map<std::uint64_t, std::uint64_t> holes_;                     ///< address -> bytes
   std::set<std::pair<std::uint64_t, std::uint64_t>> holes_by_size_;  ///< bytes, address
 };
 

@@ -10,9 +10,9 @@ struct AddressRange {
   std::uint64_t address = 0, bytes = 0;
 };
 
-/// Pieces are taken from pages that hold others already, else from the lowest empty page: no page is
-/// begun as long as one has room, so that never more pages are in use than the pieces filled when
-/// they were most.
+/// Pieces are taken from pages that hold others already, else from the lowest empty page: no page
+/// is begun as long as one has room, so that never more pages are in use than the pieces filled
+/// when they were most.
 class PieceMap {
  public:
   static constexpr std::uint64_t page_bytes = 4096;

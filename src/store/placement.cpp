@@ -43,8 +43,7 @@ void Placement::take(std::uint64_t bytes, std::vector<AddressRange>& ranges) {
   } else {
     ranges.push_back(heap_.take(bytes));
   }
-  const std::uint64_t end =
-      manager_ == MemoryManager::own ? pieces_.extent_bytes() : heap_.end();
+  const std::uint64_t end = manager_ == MemoryManager::own ? pieces_.extent_bytes() : heap_.end();
   count_.extent_bytes = std::max(count_.extent_bytes, end);
   pages_.resize(std::max<std::size_t>(pages_.size(), (end + page_bytes - 1) / page_bytes));
 }
@@ -56,9 +55,8 @@ void Placement::for_pages(const AddressRange& range, Visit visit) {
 }
 
 void Placement::free(const AddressRange& range, std::uint64_t last_use) {
-  for_pages(range, [&](std::size_t p) {
-    pages_[p].last_use = std::max(pages_[p].last_use, last_use);
-  });
+  for_pages(range,
+            [&](std::size_t p) { pages_[p].last_use = std::max(pages_[p].last_use, last_use); });
   if (manager_ == MemoryManager::own) {
     pieces_.free(range);
     for_pages(range, [this](std::size_t p) {
