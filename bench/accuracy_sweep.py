@@ -68,8 +68,10 @@ def solve(options, scene, points, method, epsilon):
     basis, oracle, visibility = method
     with tempfile.TemporaryDirectory() as folder:
         run = Path(folder) / "run"
+        bare = Path(folder) / scene.name  # its own probes are no part of the solve
+        bare.write_text(json.dumps({key: value for key, value in json.loads(scene.read_text()).items() if key != "probes"}))
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        command = [options.enfilade, "solve", scene, "-o", run, "--no-pictures", "--quiet", "--epsilon", f"{epsilon:g}",
+        command = [options.enfilade, "solve", bare, "-o", run, "--no-pictures", "--quiet", "--epsilon", f"{epsilon:g}",
                    "--basis", basis, "--oracle", oracle, "--visibility", visibility]
         try:
             result = subprocess.run(command, capture_output=True, text=True, timeout=options.limit_s)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/light_balance.hpp"
 #include "radiosity/point_gather.hpp"
 
 namespace enfilade {
@@ -12,6 +13,8 @@ namespace {
 constexpr double share_before_sampling = 0.25;
 /// What is left of the patches' local errors where a point gathers over many of them.
 constexpr double share_seen_together = 1.0 / 3.0;
+/// An error below this share of the sampling's noise cannot be told from none.
+constexpr double share_hidden_by_noise = 0.1;
 
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;
@@ -41,8 +44,10 @@ const IterationSummary* last_sampled(std::span<const IterationSummary> history) 
 /// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
 double residual(const ResidualSums& sums) {
   return worst(sums.light.size(), [&](std::size_t b) {
-    const double square = sums.off[b] * sums.off[b] - sums.noise[b] * sums.noise[b];
-    return sums.light[b] > 0.0 ? std::sqrt(std::max(0.0, square)) / sums.light[b] : 0.0;
+    const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
+    const double seen = std::sqrt(std::max(0.0, square));
+    return sums.light[b] > 0.0 ? std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b]
+                               : 0.0;
   });
 }
 
@@ -53,15 +58,6 @@ double local_error(std::span<const IterationSummary> history) {
   if (sampled == nullptr) return share_before_sampling * now;
   const double then = relative(sampled->sums.link_error_power, sampled->sums.received_power);
   return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
-}
-
-/// Share of the emitted light that was made or lost on the way. More absorbed than emitted is
-/// always wrong; less is right as far as the rest was seen to leave (or may have ended on a black
-/// side).
-double unbalanced_share(const IterationSums& sums, const Spectrum& emitted, std::size_t b) {
-  if (emitted[b] <= 0.0) return 0.0;
-  const double missing = emitted[b] - sums.absorbed_power[b];
-  return std::max({-missing, missing - sums.escaping_power[b], 0.0}) / emitted[b];
 }
 
 double change_ratio(std::span<const IterationSummary> history) {
@@ -92,11 +88,7 @@ double sample_noise(const ResidualSums& sums) {
   });
 }
 
-Spectrum balanced_power(const Scene& scene, const Spectrum& emitted) {
-  return scene.lights.empty() ? emitted : Spectrum(emitted.size(), 0.0);
-}
-
-ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& balanced) {
+ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces) {
   ErrorEstimate estimate;
   if (history.empty()) {
     estimate.iteration = estimate.patches = estimate.iteration_bound = 1.0;
@@ -109,13 +101,14 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
   const double local = local_error(history);
   const auto all_over = [&](std::size_t b) {
-    return still ? std::max(0.0, unbalanced_share(sums, balanced, b) - estimate.iteration) : 0.0;
+    return still ? std::max(0.0, std::abs(unbalanced_share(sums, surfaces, b)) - estimate.iteration)
+                 : 0.0;
   };
-  const std::size_t bands = std::min(balanced.size(), sums.absorbed_power.size());
-  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over));
+  const std::size_t bands = std::min(surfaces.size(), sums.absorbed_power.size());
   double links = bands == 0 ? local : worst(bands, [&](std::size_t b) {
     return reflected_share(sums, b) * std::hypot(share_seen_together * local, all_over(b));
   });
+  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over)) + links;
   if (const IterationSummary* sampled = last_sampled(history)) {
     // The rays of a gathered point bring noise of their own, which falls a little faster than by
     // the square root as they are stratified.

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "parallel/iteration_plan.hpp"
-#include "scene/scene.hpp"
 
 namespace enfilade {
 
@@ -18,15 +17,11 @@ double contraction(std::span<const IterationSummary> history);
 /// what is wrong from place to place (less the sampling's own noise); that follows the sum of the
 /// links' errors until points are sampled again. What is wrong all over shows in the balance of
 /// light. A point that is gathered for sees only the share of this that is reflected, and local
-/// errors cancel there.
+/// errors cancel there; a patch sees that too, beside what is wrong with its own light.
 /// Iterations: the series of the changes to come (§8), and its bound by the contraction above. The
 /// last change alone, the paper's T, understates it by up to 1 / (1 - contraction).
-/// `balanced`: power per band that must be absorbed or seen to leave (balanced_power()).
-ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& balanced);
-
-/// What the scene emits, where the balance of light can be drawn up: how much of a point light's
-/// light leaves through openings is not measured, so that a scene with any has none (0).
-Spectrum balanced_power(const Scene& scene, const Spectrum& emitted);
+/// `surfaces`: surfaces_power() of light_balance.hpp.
+ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces);
 
 /// Relative noise of one sampled point, mean over the points, worst band; 0 where none was sampled.
 double sample_noise(const ResidualSums& sums);

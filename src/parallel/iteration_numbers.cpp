@@ -28,8 +28,6 @@ class Numbers {
   std::span<const double> numbers_;
 };
 
-constexpr std::size_t plan_numbers = 9;
-
 void add_bands(Spectrum& sum, const Spectrum& part) {
   if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
   for (std::size_t b = 0; b < part.size(); ++b) sum[b] += part[b];
@@ -38,8 +36,9 @@ void add_bands(Spectrum& sum, const Spectrum& part) {
 /// All of them have as many bands, or none.
 template <class Sums>
 auto spectra_of(Sums& s) {
-  return std::array{&s.arriving_power, &s.returning_power,  &s.absorbed_power, &s.escaping_power,
-                    &s.residual.light, &s.residual.surplus, &s.residual.off,   &s.residual.noise};
+  return std::array{&s.arriving_power, &s.returning_power, &s.absorbed_power, &s.escaping_power,
+                    &s.beamed_power,   &s.doubtful_power,  &s.residual.light, &s.residual.surplus,
+                    &s.residual.off,   &s.residual.noise};
 }
 
 }  // namespace
@@ -58,6 +57,8 @@ void add(IterationSums& sums, const IterationSums& part) {
   add_bands(sums.returning_power, part.returning_power);
   add_bands(sums.absorbed_power, part.absorbed_power);
   add_bands(sums.escaping_power, part.escaping_power);
+  add_bands(sums.beamed_power, part.beamed_power);
+  add_bands(sums.doubtful_power, part.doubtful_power);
   add(sums.residual, part.residual);
   sums.work += part.work;
 }
@@ -116,19 +117,23 @@ IterationSums sums_from(const Token& token) {
 }
 
 std::vector<double> to_numbers(const IterationPlan& plan) {
-  return {static_cast<double>(plan.iteration),
-          plan.link_tolerance,
-          plan.refine ? 1.0 : 0.0,
-          plan.close_rows ? 1.0 : 0.0,
-          plan.sample ? 1.0 : 0.0,
-          static_cast<double>(plan.sample_rays),
-          plan.received_power,
-          plan.finished ? 1.0 : 0.0,
-          plan.converged ? 1.0 : 0.0};
+  std::vector<double> numbers = {static_cast<double>(plan.iteration),
+                                 plan.link_tolerance,
+                                 plan.refine ? 1.0 : 0.0,
+                                 plan.close_rows ? 1.0 : 0.0,
+                                 plan.sample ? 1.0 : 0.0,
+                                 static_cast<double>(plan.sample_rays),
+                                 plan.received_power,
+                                 plan.finished ? 1.0 : 0.0,
+                                 plan.converged ? 1.0 : 0.0,
+                                 static_cast<double>(plan.mend.size())};
+  numbers.insert(numbers.end(), plan.mend.begin(), plan.mend.end());
+  return numbers;
 }
 
-IterationPlan plan_from(std::span<const double> numbers) {
-  Numbers n(numbers);
+namespace {
+
+IterationPlan next_plan_of(Numbers& n) {
   IterationPlan plan;
   plan.iteration = static_cast<int>(n.next());
   plan.link_tolerance = n.next();
@@ -139,7 +144,15 @@ IterationPlan plan_from(std::span<const double> numbers) {
   plan.received_power = n.next();
   plan.finished = n.next() != 0.0;
   plan.converged = n.next() != 0.0;
+  for (std::uint64_t bands = n.next_count(); bands > 0; --bands) plan.mend.push_back(n.next());
   return plan;
+}
+
+}  // namespace
+
+IterationPlan plan_from(std::span<const double> numbers) {
+  Numbers n(numbers);
+  return next_plan_of(n);
 }
 
 std::vector<double> to_numbers(const IterationSummary& summary) {
@@ -159,8 +172,8 @@ std::vector<double> to_numbers(const IterationSummary& summary) {
 
 IterationSummary summary_from(std::span<const double> numbers) {
   IterationSummary summary;
-  summary.plan = plan_from(numbers);
-  Numbers n(numbers.subspan(plan_numbers));
+  Numbers n(numbers);
+  summary.plan = next_plan_of(n);
   summary.missing_power = n.next();
   summary.error.discretisation = n.next();
   summary.error.visibility = n.next();

@@ -20,6 +20,7 @@ struct IterationPlan {
   bool sample = false;          ///< gather anew at sampled points: ResidualSamples
   int sample_rays = 0;          ///< a point
   double received_power = 0.0;  ///< of the iteration before
+  Spectrum mend;                ///< GatherConfig::mend
   bool finished = false;        ///< there is no such iteration: the run ends
   bool converged = false;       ///< it ends because it is good enough, not because it gave up
 };
@@ -34,7 +35,8 @@ struct IterationSums {
   std::uint64_t patches = 0, links = 0;
   std::uint64_t steals = 0, steal_requests = 0;
   // Per band, as in GatherResult.
-  Spectrum arriving_power, returning_power, absorbed_power, escaping_power;
+  Spectrum arriving_power, returning_power, absorbed_power, escaping_power, beamed_power,
+      doubtful_power;
   ResidualSums residual;  ///< empty or zero where nothing was sampled
   WorkCount work;         ///< of this iteration
 };
@@ -60,6 +62,7 @@ struct IterationSummary {
 
 struct PlanConfig {
   Spectrum emitted_power;
+  Spectrum surfaces_power;  ///< what of that surfaces send out (light_balance.hpp)
   double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
   double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;

@@ -58,6 +58,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
   gather_config_.close_rows = plan.close_rows;
+  gather_config_.mend = plan.mend;
   gather_config_.residual = {};
   if (plan.sample) gather_config_.residual = sampling(plan);
   gather_config_.refinement.max_depth = config_.max_depth;
@@ -120,6 +121,8 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.residual = result.residual;
   sums.absorbed_power = result.absorbed_power;
   sums.escaping_power = result.escaping_power;
+  sums.beamed_power = result.beamed_power;
+  sums.doubtful_power = result.doubtful_power;
   sums.work = result.work;
   sums.patches = state.patches().size();
   sums.links = state.links().size();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parallel/error_estimate.hpp"
+#include "parallel/light_balance.hpp"
 #include "parallel/peak_memory.hpp"
 
 namespace enfilade {
@@ -58,7 +59,7 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
   record.set(
       "residual",
       RunRecord::Value(end.received_power > 0.0 ? end.change_power / end.received_power : 0.0));
-  const ErrorEstimate error = estimate_error(history, balanced_power(scene, emitted));
+  const ErrorEstimate error = estimate_error(history, surfaces_power(scene, emitted));
   record.set("estimated_error", RunRecord::Value(error.total()));
   record.set("estimated_discretisation_error", RunRecord::Value(error.discretisation));
   record.set("estimated_visibility_error", RunRecord::Value(error.visibility));

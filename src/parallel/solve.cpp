@@ -9,6 +9,7 @@
 #include "parallel/error_estimate.hpp"
 #include "parallel/group_dealer.hpp"
 #include "parallel/history.hpp"
+#include "parallel/light_balance.hpp"
 #include "parallel/radiosity_work.hpp"
 #include "parallel/run_ranks.hpp"
 #include "parallel/spmd.hpp"
@@ -146,6 +147,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
   const PlanConfig plan_config{.emitted_power = emitted,
+                               .surfaces_power = surfaces_power(prepared.scene, emitted),
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
@@ -157,7 +159,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
         {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
         manifest ? manifest->correction : std::vector<double>{}, so_far,
         [&](std::vector<IterationSummary>& done) {
-          done.back().error = estimate_error(done, balanced_power(prepared.scene, emitted));
+          done.back().error = estimate_error(done, plan_config.surfaces_power);
           return next_plan(done, plan_config);
         },
         observer);

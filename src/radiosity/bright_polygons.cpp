@@ -4,13 +4,9 @@
 #include <numeric>
 
 #include "radiosity/form_factor.hpp"
-#include "radiosity/visible_parts.hpp"
 
 namespace enfilade {
 namespace {
-
-/// Up to so many are cut away exactly.
-constexpr std::size_t most_occluders = 16;
 
 double top_radiosity(const PatchForest& f, std::size_t k) {
   const auto terms = static_cast<std::size_t>(f.terms());
@@ -30,7 +26,7 @@ Polygon corners_of(const PatchForest& f, std::size_t k, const PatchShape& shape)
 }  // namespace
 
 BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occluders& occluders)
-    : occluders_(&occluders) {
+    : clusters_(clusters), occluders_(&occluders) {
   double area = 0.0, power = 0.0;
   std::size_t polygons = 0;
   for (const ClusterState& c : clusters) {
@@ -94,30 +90,14 @@ std::vector<double> BrightPolygons::weights(const std::vector<Bright>& polygons,
   return weight;
 }
 
-/// False where too much stands between.
-bool BrightPolygons::exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                                  double& factor) const {
-  std::vector<std::uint32_t> between;
-  if (!occluders_->find_between({p}, b.corners, own, b.polygon, most_occluders, between)) {
-    return false;
-  }
-  VisibleParts parts;
-  parts.begin(p, b.corners, occluders_->tolerance_m());
-  for (const std::uint32_t occluder : between) {
-    if (!parts.hide(occluders_->polygon(occluder))) return false;
-  }
-  factor = parts.factor(n);
-  return true;
-}
-
 /// Mean radiosity of the others that were not counted, by what each would give if nothing hid it.
-Spectrum BrightPolygons::ambient(std::span<const double> weights, std::span<const char> counted,
+Spectrum BrightPolygons::ambient(std::span<const double> weights, const Counted& counted,
                                  std::size_t bands) const {
   Spectrum sum(bands, 0.0);
   double factors = 0.0;
   for (std::size_t i = 0; i < others_.size(); ++i) {
     const Bright& b = others_[i];
-    if (counted[b.polygon] != 0 || weights[i] <= 0.0) continue;
+    if (weights[i] <= 0.0 || counted.find(b.polygon) != nullptr) continue;
     const double factor = weights[i] / b.top;
     factors += factor;
     for (std::size_t band = 0; band < bands; ++band) sum[band] += factor * b.radiosity(band);
@@ -126,35 +106,54 @@ Spectrum BrightPolygons::ambient(std::span<const double> weights, std::span<cons
   return sum;
 }
 
+const BrightPolygons::CountedPolygon* BrightPolygons::Counted::find(std::uint32_t polygon) const {
+  const auto at = std::lower_bound(
+      polygons.begin(), polygons.end(), polygon,
+      [](const CountedPolygon& counted, std::uint32_t number) { return counted.polygon < number; });
+  return at != polygons.end() && at->polygon == polygon ? &*at : nullptr;
+}
+
 BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
                                                     Spectrum& irradiance) const {
-  Counted counted{std::vector<char>(is_bright_.size(), 0), {}};
+  Counted counted;
   const std::vector<double> bright = weights(bright_, p, n, own);
   const std::vector<double> other = weights(others_, p, n, own);
   const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
   const double total = std::accumulate(other.begin(), other.end(), total_bright);
-  std::vector<std::pair<const Bright*, double>> factors;
-  double factor = 0.0;
+  SeenNodes seen(*occluders_);
+  CountedPolygon next;
+  const auto exact = [&](const Bright& b) {
+    next.polygon = b.polygon;
+    return seen.look(p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k, 5e-3 * total,
+                     next.nodes);
+  };
   for (std::size_t i = 0; i < bright_.size(); ++i) {
     if (bright[i] <= 1e-6 * total_bright || bright[i] <= 0.0) continue;
     const Bright& b = bright_[i];
-    // A hidden part smaller than a thousandth of all that is bright here does not matter.
-    if (!exact_factor(p, n, own, b, factor)) {
-      factor =
-          visible_factor(p, n, own, b, b.forest->node(b.k).shape, 5e-4 * total_bright / b.top, 0);
+    if (!exact(b)) {
+      // A hidden part smaller than a thousandth of all that is bright here does not matter.
+      const double threshold = 5e-4 * total_bright / b.top;
+      next.nodes = {{b.k, visible_factor(p, n, own, b, b.forest->node(b.k).shape, threshold, 0)}};
     }
-    factors.emplace_back(&b, factor);
+    counted.polygons.push_back(next);
   }
   for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (other[i] <= 5e-3 * total || !exact_factor(p, n, own, others_[i], factor)) continue;
-    factors.emplace_back(&others_[i], factor);
+    if (other[i] > 5e-3 * total && exact(others_[i])) counted.polygons.push_back(next);
   }
-  for (const auto& [b, f] : factors) counted.polygons[b->polygon] = 1;
-  counted.ambient = ambient(other, counted.polygons, irradiance.size());
+  std::sort(counted.polygons.begin(), counted.polygons.end(),
+            [](const CountedPolygon& a, const CountedPolygon& b) { return a.polygon < b.polygon; });
+  counted.ambient = ambient(other, counted, irradiance.size());
   for (std::size_t band = 0; band < irradiance.size(); ++band) {
     irradiance[band] += counted.ambient[band];
-    for (const auto& [b, f] : factors) {
-      irradiance[band] += f * (b->radiosity(band) - counted.ambient[band]);
+  }
+  for (const CountedPolygon& polygon : counted.polygons) {
+    const PatchForest& forest =
+        clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
+    const auto terms = static_cast<std::size_t>(forest.terms());
+    for (const auto& [node, factor] : polygon.nodes) {
+      for (std::size_t band = 0; band < irradiance.size(); ++band) {
+        irradiance[band] += factor * (forest.radiosity(node)[band * terms] - counted.ambient[band]);
+      }
     }
   }
   return counted;

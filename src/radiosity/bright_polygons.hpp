@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "radiosity/occluders.hpp"
+#include "radiosity/seen_nodes.hpp"
 
 namespace enfilade {
 
@@ -18,13 +19,18 @@ class BrightPolygons {
 
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
   /// Adds to `irradiance` what the mean radiosities of all of them give at p, and those of all
-  /// others that may give a two-hundredth of the light there and are hidden by few. Exactly, but
-  /// for bright ones that many hide: these are looked at as closely as they matter. `own`: the
-  /// polygon that p lies on. What is added for a direction is its polygon's mean where that was
-  /// counted, else `ambient`: rays have to find the rest.
+  /// others that may give a two-hundredth of the light there and are hidden by few; of what varies
+  /// as much the means of its parts. Exactly, but for bright ones that many hide: these are looked
+  /// at as closely as they matter. `own`: the polygon that p lies on. What is added for a direction
+  /// is the mean of what was counted there, else `ambient`: rays have to find the rest.
+  struct CountedPolygon {
+    std::uint32_t polygon;
+    std::vector<SeenNode> nodes;
+  };
   struct Counted {
-    std::vector<char> polygons;  ///< by polygon: whether it was counted
-    Spectrum ambient;            ///< mean radiosity of those in view that were not
+    std::vector<CountedPolygon> polygons;  ///< ascending
+    Spectrum ambient;                      ///< mean radiosity of those in view that were not
+    const CountedPolygon* find(std::uint32_t polygon) const;
   };
   Counted add_largest(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& irradiance) const;
 
@@ -48,13 +54,12 @@ class BrightPolygons {
   };
   static std::vector<double> weights(const std::vector<Bright>& polygons, const Vec3& p,
                                      const Vec3& n, std::uint32_t own);
-  Spectrum ambient(std::span<const double> weights, std::span<const char> counted,
+  Spectrum ambient(std::span<const double> weights, const Counted& counted,
                    std::size_t bands) const;
-  bool exact_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                    double& factor) const;
   double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
                         const PatchShape& shape, double threshold, int depth) const;
 
+  std::span<const ClusterState> clusters_;
   const Occluders* occluders_;
   std::vector<Bright> bright_, others_;
   std::vector<bool> is_bright_;

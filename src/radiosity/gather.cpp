@@ -28,7 +28,10 @@ class Gatherer {
         samples_(receiver, occluders, config.residual, result_.work),
         kept_(receiver.links().stride()),
         light_(bands_ * terms_),
-        means_(bands_) {}
+        means_(bands_) {
+    result_.beamed_power.assign(bands_, 0.0);
+    result_.doubtful_power.assign(bands_, 0.0);
+  }
 
   void from_lights();
   void from(const ClusterState& shooter);
@@ -145,14 +148,16 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   result_.link_error_power += link.error * top + link.variation * variation;
   result_.link_doubt_power += link.visibility_error() * top;
   ++result_.work.links_gathered;
-  if (shooter != nullptr) {
-    const double factor = area_factor(receiver_.patches(), link, transport);
+  const double factor = area_factor(receiver_.patches(), link, transport);
+  if (shooter == nullptr) {
+    for (std::size_t b = 0; b < bands_; ++b) result_.beamed_power[b] += factor * means_[b];
+  } else {
     flow_.resize(bands_, 0.0);
     for (std::size_t b = 0; b < bands_; ++b) {
       flow_[b] += factor * (means_[b] - mean_exitance(*shooter, link.shooter, b));
     }
   }
-  if (config_.close_rows) closing_.add(link, transport, means_);
+  if (config_.close_rows) closing_.add(link, transport, means_, variation);
   link.receiver.is_group() ? receive_beam(link, transport) : receive_patch(link, transport);
 }
 
@@ -188,7 +193,8 @@ GatherResult Gatherer::finish() {
   if (changed_) receiver_.links() = std::move(kept_);
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
   if (config_.close_rows) {
-    const double closing = closing_.close(occluders_, result_.work, gathered_);
+    const double closing = closing_.close(occluders_, config_.mend, result_.work, gathered_);
+    result_.doubtful_power = closing_.doubtful_power();
     for (CoarseRow::Entry& entry : result_.coarse.entries) {
       for (double& flow : entry.flow) flow *= closing;
     }

@@ -22,6 +22,9 @@ struct GatherConfig {
   /// sum to 1; what is missing goes to its links by how doubtful each is. Wanted once light has
   /// reached everything.
   bool close_rows = false;
+  /// Per band, with closed rows: share of its links' doubtful light that each patch gets on top (or
+  /// loses), so that what leaves the surfaces arrives; empty = none.
+  Spectrum mend;
   ResidualConfig residual;  ///< none at first
 };
 
@@ -40,6 +43,8 @@ struct GatherResult {
   /// Per band: sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on
   /// a black back or on a front in the dark.
   Spectrum escaping_power;
+  Spectrum beamed_power;    ///< per band: power that came straight from point lights
+  Spectrum doubtful_power;  ///< per band: what a mend of 1 would add
   ResidualSums residual;
 };
 

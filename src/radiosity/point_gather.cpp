@@ -54,18 +54,20 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
   for (int bounces = 0; bounces < 64; ++bounces) {
     const RayHit hit = occluders->rays().closest(from, direction, own, 1e30, RayStart::in_air);
     const bool ends = !hit.any() || !hit.front;
-    const bool is_counted = bounces == 0 && !ends && counted.polygons[hit.polygon] != 0;
-    for (std::size_t b = 0; b < bands && bounces == 0 && !is_counted; ++b) {
+    const auto* is_counted = bounces == 0 && !ends ? counted.find(hit.polygon) : nullptr;
+    for (std::size_t b = 0; b < bands && bounces == 0 && is_counted == nullptr; ++b) {
       e[b] -= share * counted.ambient[b];
     }
-    if (ends || (bright.contains(hit.polygon) && !is_counted)) return;
+    if (ends || (bright.contains(hit.polygon) && is_counted == nullptr)) return;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     const auto terms = static_cast<std::size_t>(patches.terms());
-    for (std::size_t b = 0; b < bands && is_counted; ++b) {
-      e[b] -= share * patches.radiosity(ref.polygon)[b * terms];
-    }
     const Vec3 at = from + hit.distance_m * direction;
+    const SeenNode* seen =
+        is_counted != nullptr ? node_around(is_counted->nodes, patches, ref.polygon, at) : nullptr;
+    for (std::size_t b = 0; b < bands && seen != nullptr; ++b) {
+      e[b] -= share * patches.radiosity(seen->node)[b * terms];
+    }
     const double patch_m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
     if (hit.distance_m * hit.distance_m > patch_m2 || bright.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);

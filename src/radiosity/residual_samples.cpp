@@ -32,6 +32,17 @@ double top(std::span<const double> light, std::size_t terms) {
   return most;
 }
 
+/// What may bring less than this share of a point's light is left to the rays.
+constexpr double least_share = 5e-3;
+
+Polygon corners_of(const PatchForest& forest, std::uint32_t polygon) {
+  Polygon corners;
+  for (const Vec2& c : forest.node(polygon).shape.vertices) {
+    corners.push_back(forest.frames()[polygon].at(c));
+  }
+  return corners;
+}
+
 void add_bands(Spectrum& sum, const Spectrum& part) {
   if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
   for (std::size_t b = 0; b < part.size(); ++b) sum[b] += part[b];
@@ -53,7 +64,8 @@ ResidualSamples::ResidualSamples(const ClusterState& receiver, const Occluders& 
       work_(&work),
       receiver_(receiver.id()),
       bands_(static_cast<std::size_t>(receiver.bands())),
-      random_(0x5EED0000u + receiver.id().value) {
+      random_(0x5EED0000u + receiver.id().value),
+      seen_(occluders) {
   if (config_.rays <= 0) return;
   place(receiver);
   cast_rays();
@@ -73,8 +85,13 @@ void ResidualSamples::place(const ClusterState& receiver) {
     for (sum += node.shape.area_m2 * density; next < sum; next += 1.0) {
       const PolygonFrame& frame = patches.frames()[node.id.root];
       const double r1 = random_.uniform(), r2 = random_.uniform();
-      Point point{node.id.root,  frame.at(point_in(node.shape, r1, r2)), frame.n,
-                  1.0 / density, top(patches.irradiance(i), terms),      {}};
+      Point point{node.id.root,
+                  frame.at(point_in(node.shape, r1, r2)),
+                  frame.n,
+                  1.0 / density,
+                  top(patches.irradiance(i), terms),
+                  {},
+                  {}};
       point.light.fill(Spectrum(bands_, 0.0));
       point.x += 2.0 * occluders_->rays().epsilon_m() * frame.n;
       points_.push_back(std::move(point));
@@ -132,21 +149,65 @@ void ResidualSamples::from(const PointLight& light) {
 
 void ResidualSamples::from(const ClusterState& shooter) {
   if (points_.empty()) return;
+  for (Point& point : points_) count_means(shooter, point);
   const PatchForest& forest = shooter.patches();
+  const auto terms = static_cast<std::size_t>(forest.terms());
   const auto less = [](const Hit& hit, ClusterId id) { return hit.polygon.cluster < id; };
   std::vector<double> radiosity(bands_);
   const double share = 2.0 / config_.rays;
   for (auto hit = std::lower_bound(hits_.begin(), hits_.end(), shooter.id(), less);
        hit != hits_.end() && hit->polygon.cluster == shooter.id(); ++hit) {
     Point& point = points_[hit->point];
-    if (is_bright(forest, hit->polygon.polygon, point)) continue;
-    forest.evaluate(true, hit->polygon.polygon, hit->y, radiosity);
+    const std::uint32_t k = hit->polygon.polygon;
+    const SeenNode* counted = node_around(point.counted, forest, k, hit->y);
+    if (counted == nullptr && is_bright(forest, k, point)) continue;
+    forest.evaluate(true, k, hit->y, radiosity);
     Spectrum& light = point.light[static_cast<std::size_t>(hit->half)];
-    for (std::size_t b = 0; b < bands_; ++b) light[b] += share * radiosity[b];
+    for (std::size_t b = 0; b < bands_; ++b) {
+      light[b] += share * (radiosity[b] -
+                           (counted != nullptr ? forest.radiosity(counted->node)[b * terms] : 0.0));
+    }
   }
+}
+
+/// What a polygon would bring at most if nothing hid it, as a share of the point's light.
+double ResidualSamples::share_of(const PatchForest& forest, std::uint32_t polygon,
+                                 const Point& point) const {
+  const PolygonFrame& frame = forest.frames()[polygon];
+  const double most = top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
+  if (most <= 0.0 || glm::dot(frame.n, point.x - frame.origin) <= 0.0) return 0.0;
+  ++work_->form_factors;
+  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) / light_at(point);
+}
+
+/// Closed forms of all that matters and is hidden by few, so that rays have only to find what
+/// differs from the mean radiosities; of bright ones behind many, rays to them.
+void ResidualSamples::count_means(const ClusterState& shooter, Point& point) {
+  const PatchForest& forest = shooter.patches();
+  const auto terms = static_cast<std::size_t>(forest.terms());
+  const std::uint32_t own = occluders_->global(receiver_, point.polygon);
+  std::vector<SeenNode> nodes;
+  point.counted.clear();
   for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
-    for (Point& point : points_) {
-      if (is_bright(forest, k, point)) from_bright(shooter, k, point);
+    const bool bright = is_bright(forest, k, point);
+    if (occluders_->global(shooter.id(), k) == own ||
+        share_of(forest, k, point) <= (bright ? 1e-6 : least_share)) {
+      continue;
+    }
+    if (seen_.look(point.x, point.n, own, shooter.id(), forest, k, least_share * light_at(point),
+                   nodes)) {
+      point.counted.insert(point.counted.end(), nodes.begin(), nodes.end());
+    } else if (bright) {
+      from_bright(shooter, k, point);
+    }
+  }
+  std::sort(point.counted.begin(), point.counted.end(),
+            [](const SeenNode& a, const SeenNode& b) { return a.node < b.node; });
+  work_->form_factors += point.counted.size();
+  for (const auto& [node, factor] : point.counted) {
+    for (Spectrum& half : point.light) {
+      for (std::size_t b = 0; b < bands_; ++b)
+        half[b] += factor * forest.radiosity(node)[b * terms];
     }
   }
 }
@@ -157,15 +218,8 @@ void ResidualSamples::from_bright(const ClusterState& shooter, std::uint32_t pol
   const PatchForest& forest = shooter.patches();
   const PolygonFrame& frame = forest.frames()[polygon];
   const PatchShape& shape = forest.node(polygon).shape;
-  Polygon corners;
-  for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
-  ++work_->form_factors;
-  const double factor = point_to_polygon(point.x, point.n, corners);
-  if (factor <= 0.0) return;
-  const double brings =
-      factor * top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
-  const double part = brings / std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
-  if (part < 1e-6) return;
+  const double factor = point_to_polygon(point.x, point.n, corners_of(forest, polygon));
+  const double part = share_of(forest, polygon, point);
   const int rays = std::clamp(static_cast<int>(0.25 * config_.rays * part), 4, 256);
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   const std::uint32_t skip = occluders_->global(shooter.id(), polygon);

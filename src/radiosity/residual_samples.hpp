@@ -1,8 +1,9 @@
-// A second opinion on the light of a cluster: gathered anew at sampled points, by rays and closed
-// forms that the links had no part in. What it differs by is the residual, the one part of the
+// A second opinion on the light of a cluster: gathered anew at sampled points, by closed forms and
+// rays that the links had no part in. What it differs by is the residual, the one part of the
 // error that can be seen without knowing the answer (Lischinski, Smits, Greenberg 1994).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "base/work_count.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "radiosity/occluders.hpp"
+#include "radiosity/seen_nodes.hpp"
 
 namespace enfilade {
 
@@ -52,6 +54,7 @@ class ResidualSamples {
     double area_m2;     ///< that it stands for
     double irradiance;  ///< on the patches, before; worst band
     std::array<Spectrum, 2> light;
+    std::vector<SeenNode> counted;  ///< of the shooter at hand: their mean radiosities are in light
   };
   struct Hit {
     PolygonRef polygon;
@@ -61,7 +64,12 @@ class ResidualSamples {
   };
   void place(const ClusterState& receiver);
   void cast_rays();
+  double light_at(const Point& point) const {
+    return std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
+  }
+  double share_of(const PatchForest& forest, std::uint32_t polygon, const Point& point) const;
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
+  void count_means(const ClusterState& shooter, Point& point);
   void from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point);
 
   const Occluders* occluders_;
@@ -72,6 +80,7 @@ class ResidualSamples {
   Random random_;
   std::vector<Point> points_;
   std::vector<Hit> hits_;  ///< by cluster
+  SeenNodes seen_;
 };
 
 }  // namespace enfilade

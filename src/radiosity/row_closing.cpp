@@ -9,7 +9,8 @@ RowClosing::RowClosing(ClusterState& receiver)
     : receiver_(receiver),
       bands_(static_cast<std::size_t>(receiver.bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
-      width_(terms_ + 1 + bands_) {}
+      width_(terms_ + 1 + 2 * bands_),
+      doubtful_power_(bands_, 0.0) {}
 
 void RowClosing::see(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
@@ -23,16 +24,22 @@ void RowClosing::see(const ClusterState& shooter) {
   }
 }
 
-void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light) {
+void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light,
+                     double doubt_of_variation) {
   rows_.resize(std::max(rows_.size(), receiver_.patches().size() * width_), 0.0);
   double* to = row(node);
   to[0] += factor;
   to[terms_] += doubt;
-  for (std::size_t b = 0; b < bands_; ++b) to[terms_ + 1 + b] += doubt * light[b];
+  const double top = *std::max_element(light.begin(), light.end());
+  const double varies = top > 0.0 ? doubt_of_variation / top : 0.0;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    to[terms_ + 1 + b] += doubt * light[b];
+    to[terms_ + 1 + bands_ + b] += (doubt + varies) * light[b];
+  }
 }
 
 void RowClosing::add(const Link& link, std::span<const float> transport,
-                     std::span<const double> light) {
+                     std::span<const double> light, double variation) {
   if (link.is_light()) return;
   const PatchForest& patches = receiver_.patches();
   if (link.receiver.is_group()) {
@@ -42,15 +49,15 @@ void RowClosing::add(const Link& link, std::span<const float> transport,
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
       if (cosine > 0.0 && !patches.sealed(k))
-        add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light);
+        add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light, 0.0);
     }
     return;
   }
   // A link that nothing came through takes no share: what is missing comes from where light is
   // seen.
   const std::size_t node = patches.find(link.receiver);
-  add(node, transport[0], transport[0] > 0.0f ? link.error / patches.node(node).shape.area_m2 : 0.0,
-      light);
+  const double per_m2 = transport[0] > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
+  add(node, transport[0], per_m2 * link.error, light, per_m2 * link.variation * variation);
   if (terms_ == 3) {
     row(node)[1] += transport[3];
     row(node)[2] += transport[6];
@@ -97,7 +104,7 @@ void RowClosing::push() {
   }
 }
 
-double RowClosing::close(const Occluders& occluders, WorkCount& work,
+double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
                          std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
   rows_.resize(patches.size() * width_, 0.0);
@@ -113,6 +120,11 @@ double RowClosing::close(const Occluders& occluders, WorkCount& work,
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
     const double* has = row(n);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      const double doubtful = has[terms_ + 1 + bands_ + b];
+      doubtful_power_[b] += node.shape.area_m2 * doubtful;
+      if (!mend.empty()) gathered[n * stride + b * terms_] += mend[b] * doubtful;
+    }
     sum += node.shape.area_m2 * has[0];
     closed += node.shape.area_m2 * has[0];
     const double target = patches.exposure(n);

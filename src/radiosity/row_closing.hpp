@@ -18,14 +18,21 @@ class RowClosing {
 
   /// Notes which of a shooter's polygons give light.
   void see(const ClusterState& shooter);
-  /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band.
-  void add(const Link& link, std::span<const float> transport, std::span<const double> light);
-  /// Adds the missing light to `gathered` (indexed like the light of the patches). Returns the
-  /// closed rows' sum over that of the rows as they were.
-  double close(const Occluders& occluders, WorkCount& work, std::vector<double>& gathered);
+  /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band, which
+  /// varies by `variation` (RMS, worst band).
+  void add(const Link& link, std::span<const float> transport, std::span<const double> light,
+           double variation);
+  /// Adds to `gathered` (indexed like the light of the patches) the missing light, then `mend`
+  /// (per band, may be empty) times each leaf's doubtful light. Returns the mended rows' sum over
+  /// that of the rows as they were.
+  double close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
+               std::vector<double>& gathered);
+  /// After that: area times doubtful light over the leaves, per band.
+  const Spectrum& doubtful_power() const { return doubtful_power_; }
 
  private:
-  void add(std::size_t node, double factor, double doubt, std::span<const double> light);
+  void add(std::size_t node, double factor, double doubt, std::span<const double> light,
+           double doubt_of_variation);
   double* row(std::size_t node) { return rows_.data() + node * width_; }
   /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
@@ -33,9 +40,10 @@ class RowClosing {
 
   ClusterState& receiver_;
   std::size_t bands_, terms_, width_;
-  /// Per node: the row's sum as an affine function, the links' doubt, and their light weighted by
-  /// it.
+  /// Per node: the row's sum as an affine function, the links' doubt, per band their light weighted
+  /// by it, and per band the doubtful light: that and what varies over the shooters.
   std::vector<double> rows_;
+  Spectrum doubtful_power_;
   std::map<ClusterId, std::vector<bool>> lit_;
   std::uint32_t lit_in_view_ = 0;  ///< polygons
 };

@@ -4,6 +4,7 @@ usage: accuracy_test.py ENFILADE SCENE REFERENCE [--max-l1 X] [--max-rms X] [--m
                         [--max-links N] [--max-rays N]
 """
 import argparse
+import contextlib
 import json
 import os
 import random
@@ -64,7 +65,8 @@ def solve(options, run, environment):
         time.sleep(moments.uniform(0.1, 1.5))
         ranks = subprocess.run(["pgrep", "-P", str(running.pid), "enfilade"], capture_output=True, text=True).stdout.split()
         if ranks:
-            os.kill(int(moments.choice(ranks)), signal.SIGKILL)
+            with contextlib.suppress(ProcessLookupError):  # it has just ended by itself
+                os.kill(int(moments.choice(ranks)), signal.SIGKILL)
             kills += 1
         running.wait()
         if not ranks:  # it ended before its time: from the start again, so that there is something to kill

@@ -27,8 +27,11 @@ IterationSummary sampled(int iteration, double patch_error) {
   return s;
 }
 
-const PlanConfig config{
-    .emitted_power = {10.0, 1.0}, .epsilon = 1e-3, .tolerance = 1e-4, .max_iterations = 50};
+const PlanConfig config{.emitted_power = {10.0, 1.0},
+                        .surfaces_power = {},
+                        .epsilon = 1e-3,
+                        .tolerance = 1e-4,
+                        .max_iterations = 50};
 
 TEST(IterationPlan, LinkToleranceIsAShareOfTheEmittedPower) {
   EXPECT_DOUBLE_EQ(first_plan(config).link_tolerance, 0.01);
@@ -78,7 +81,8 @@ TEST(IterationPlan, GivesUpAtTheLimitAndSaysSo) {
 }
 
 TEST(IterationPlan, RefinesUntilTheAskedErrorIsEstimated) {
-  const PlanConfig asked{.emitted_power = {10.0}, .target_error = 0.02, .max_iterations = 50};
+  const PlanConfig asked{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
                                            sampled(3, 0.5)};  // half of the light: far above 2%
   for (IterationSummary& s : history) s.plan.link_tolerance = 1e-3;
@@ -107,6 +111,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.plan.refine = false;
   s.error = {0.1, 0.2, 0.3, 0.4, 0.5};
   s.plan.sample_rays = 99;
+  s.plan.mend = {0.5, -0.25};
   s.time_s = 9.0;
   s.sums.max_change = 0.75;
   s.sums.steals = 3;
@@ -115,8 +120,9 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   double next = 1.0;
   for (Spectrum* spectrum :
        {&s.sums.arriving_power, &s.sums.returning_power, &s.sums.absorbed_power,
-        &s.sums.escaping_power, &s.sums.residual.light, &s.sums.residual.surplus,
-        &s.sums.residual.off, &s.sums.residual.noise}) {
+        &s.sums.escaping_power, &s.sums.beamed_power, &s.sums.doubtful_power,
+        &s.sums.residual.light, &s.sums.residual.surplus, &s.sums.residual.off,
+        &s.sums.residual.noise}) {
     *spectrum = {next, next + 0.25};
     next += 1.0;
   }
@@ -128,6 +134,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(back.sums.work.shafts, 8u);
   EXPECT_EQ(back.error.iteration_bound, 0.5);
   EXPECT_EQ(back.plan.sample_rays, 99);
+  EXPECT_EQ(back.plan.mend, s.plan.mend);
   EXPECT_EQ(back.sums.absorbed_power, s.sums.absorbed_power);
   EXPECT_EQ(back.sums.residual.noise, s.sums.residual.noise);
   EXPECT_EQ(back.sums.escaping_power, s.sums.escaping_power);

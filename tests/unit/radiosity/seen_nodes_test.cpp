@@ -1,0 +1,75 @@
+#include "radiosity/seen_nodes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+#include "box_room.hpp"
+#include "radiosity/form_factor.hpp"
+
+namespace enfilade {
+namespace {
+
+/// A lamp near a corner, so that the walls beside it are bright in one place; and a screen.
+testing::Solved lit_corner() {
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.0});
+  Surface lamp;
+  lamp.vertices = {{0.1, 0.1, 2.9}, {0.1, 0.3, 2.9}, {0.3, 0.3, 2.9}, {0.3, 0.1, 2.9}};
+  lamp.reflectance = {0.0};
+  lamp.exitance = {500.0};
+  scene.surfaces.push_back(lamp);
+  Surface screen;
+  screen.vertices = {{2, 1, 0}, {2, 3, 0}, {2, 3, 1.5}, {2, 1, 1.5}};
+  screen.reflectance = {0.5};
+  scene.surfaces.push_back(screen);
+  for (Surface& s : scene.surfaces) s.exitance.resize(1, 0.0);
+  return testing::Solved(scene, Basis::linear, 1e-3);
+}
+constexpr std::uint32_t wall = 2;  // x = 0
+const Vec3 point(3.5, 2, 0), up(0, 0, 1);
+
+double sum(const std::vector<SeenNode>& nodes) {
+  double factor = 0.0;
+  for (const SeenNode& node : nodes) factor += node.factor;
+  return factor;
+}
+
+TEST(SeenNodes, GoAsFarDownAsTheLightVaries) {
+  const testing::Solved solved = lit_corner();
+  const PatchForest& forest = solved.states[wall].patches();
+  SeenNodes seen(solved.occluders);
+  std::vector<SeenNode> whole, some, all;
+  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e9, whole));
+  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, some));
+  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 0.0, all));
+  EXPECT_EQ(whole.size(), 1u);
+  EXPECT_GT(some.size(), 1u);
+  EXPECT_GT(all.size(), some.size());
+  // However it is cut, as much of the wall is seen; the screen hides a part.
+  EXPECT_NEAR(sum(some), sum(whole), 1e-9);
+  EXPECT_NEAR(sum(all), sum(whole), 1e-9);
+  const double bare = point_to_polygon(point, up, solved.clusters[wall].polygons[0].polygon);
+  EXPECT_LT(sum(whole), 0.9 * bare);
+}
+
+TEST(SeenNodes, EveryPlaceOfThePolygonLiesInOne) {
+  const testing::Solved solved = lit_corner();
+  const PatchForest& forest = solved.states[wall].patches();
+  SeenNodes seen(solved.occluders);
+  std::vector<SeenNode> nodes;
+  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, nodes));
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 y(0, 4.0 * random.uniform(), 3.0 * random.uniform());
+    const SeenNode* around = node_around(nodes, forest, 0, y);
+    ASSERT_NE(around, nullptr);
+    const Vec2 q = forest.frames()[0].project(y) - forest.node(around->node).shape.centroid;
+    double reach = 0.0;
+    for (const Vec2& v : forest.node(around->node).shape.vertices) {
+      reach = std::max(reach, glm::length(v - forest.node(around->node).shape.centroid));
+    }
+    EXPECT_LE(glm::length(q), reach + 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace enfilade
