@@ -125,7 +125,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
     plan.refine = true;
   } else if (quiet) {
     plan.finished = true;
-    plan.converged = fine || config.epsilon > 0.0;
+    plan.converged = error <= config.target_error || config.epsilon > 0.0;
   }
   return plan;
 }
