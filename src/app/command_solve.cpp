@@ -9,6 +9,7 @@
 
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
+#include "app/run_choices.hpp"
 #include "app/run_description.hpp"
 #include "app/run_outputs.hpp"
 #include "app/solve_options.hpp"
@@ -85,6 +86,7 @@ void run_solve(const SolveOptions& options, Session& session) {
   SolveProgress progress(config.target_error, console.progress());
   RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
   describe_run(stats, config, prepared);
+  describe_choices(stats, options.basis != "auto");
   if (options.trace) write_trace(config.run_directory, communicator, machine);
 
   communicator.on_root([&] {
