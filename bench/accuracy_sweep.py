@@ -32,12 +32,12 @@ def main():
                 row = {"scene": scene.stem, "basis": method[0], "oracle": method[1], "visibility": method[2],
                        "epsilon": epsilon, **solve(options, scene, points, method, epsilon)}
                 rows.append(row)
+                options.output.write_text(json.dumps({"context": context(options), "rows": rows}, indent=1) + "\n")
                 print(" ".join(f"{row.get(key, ''):.4g}" if isinstance(row.get(key), float) else str(row.get(key, ""))
                                for key in ("scene", "basis", "oracle", "visibility", "epsilon", "links", "rays", "user_s",
                                            "l1", "patches_l1", "error")), flush=True)
                 if "error" in row or row["user_s"] > options.enough_s:
                     break  # the finer ones take longer still
-    options.output.write_text(json.dumps({"context": context(options), "rows": rows}, indent=1) + "\n")
     return 0 if any("error" not in row for row in rows) else 1
 
 

@@ -33,7 +33,6 @@ struct Row {
 
 constexpr Row summary_rows[] = {
     {"surfaces", "surfaces"},
-    {"cells", "cells"},
     {"clusters", "clusters"},
     {"patches", "patches"},
     {"links", "links"},
@@ -50,6 +49,11 @@ constexpr Row summary_rows[] = {
     {"target_error", "asked error"},
     {"flux_balance", "light not absorbed"},
     {"escaping_share", "of that seen to leave"},
+    {"chosen_bands", "bands"},
+    {"chosen_basis", "basis"},
+    {"chosen_cells", "cells"},
+    {"chosen_memory", "memory"},
+    {"chosen_visibility", "visibility"},
     {"peak_rss_bytes", "memory, largest rank"},
     {"prepare_s", "time to prepare"},
     {"solve_s", "time to solve"},

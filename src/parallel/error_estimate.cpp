@@ -60,10 +60,21 @@ double local_error(std::span<const IterationSummary> history) {
   return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
 }
 
+double most_reflected(const IterationSums& sums) {
+  return worst(sums.arriving_power.size(), [&](std::size_t b) { return reflected_share(sums, b); });
+}
+
+/// A change that rows being closed or light being mended has made says nothing of the one before:
+/// it is passed on as light is reflected.
 double change_ratio(std::span<const IterationSummary> history) {
   if (history.size() < 2) return 0.0;
-  const double before = history[history.size() - 2].sums.change_power;
-  return before > 0.0 ? std::min(history.back().sums.change_power / before, 0.9999) : 0.0;
+  const IterationSummary& last = history.back();
+  const IterationSummary& before = history[history.size() - 2];
+  if (last.plan.close_rows != before.plan.close_rows || last.plan.mend != before.plan.mend) {
+    return std::min(most_reflected(last.sums), 0.9999);
+  }
+  const double change = before.sums.change_power;
+  return change > 0.0 ? std::min(last.sums.change_power / change, 0.9999) : 0.0;
 }
 
 /// Relative L1 of the changes to come, where each is `passed_on` times the one before.
@@ -76,10 +87,7 @@ double still_to_come(const IterationSummary& last, double passed_on) {
 
 double contraction(std::span<const IterationSummary> history) {
   if (history.empty()) return 0.0;
-  const IterationSums& last = history.back().sums;
-  const double reflected =
-      worst(last.arriving_power.size(), [&](std::size_t b) { return reflected_share(last, b); });
-  return std::min(std::max(reflected, change_ratio(history)), 0.9999);
+  return std::min(std::max(most_reflected(history.back().sums), change_ratio(history)), 0.9999);
 }
 
 double sample_noise(const ResidualSums& sums) {

@@ -93,7 +93,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // Light has been everywhere once the change falls below what arrives.
   const double change = relative(last.sums.change_power, last.sums.received_power);
   const bool settled = change < 0.1;
-  plan.close_rows = settled;
+  // Once closed they stay so: closing moves the light as well, and opening them again would move it
+  // back for ever.
+  plan.close_rows = settled || last.plan.close_rows;
   // Where little is absorbed, much more light arrives than is emitted, and the error is relative to
   // it.
   if (!settled && config.epsilon <= 0.0) {
@@ -106,7 +108,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const bool few_refined = last.sums.work.links_refined * 1000 <= last.sums.links;
   const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
-  plan.mend = mended(last, config.surfaces_power, tolerance_of(config));
+  plan.mend = mended(last, config.surfaces_power, 0.02 * config.target_error);
   const bool quiet = links_done && plan.mend == last.plan.mend &&
                      last.error.iteration_bound <= tolerance_of(config);
   const double error = links_error(last.error);
@@ -125,7 +127,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
     plan.refine = true;
   } else if (quiet) {
     plan.finished = true;
-    plan.converged = fine || config.epsilon > 0.0;
+    plan.converged = error <= config.target_error || config.epsilon > 0.0;
   }
   return plan;
 }

@@ -34,6 +34,14 @@ TEST(ErrorEstimate, AChangeThatFellByLuckIsBoundedByWhatIsReflected) {
   EXPECT_LT(estimate.iteration, 0.01 * estimate.iteration_bound);
 }
 
+TEST(ErrorEstimate, AChangeThatAMendMadeIsPassedOnByReflection) {
+  std::vector<IterationSummary> history = {summary(0.1), summary(1.0)};
+  EXPECT_GT(estimate_error(history, emitted).iteration_bound, 10.0);  // it grew: no end in sight
+  history.back().plan.mend = {0.1};
+  EXPECT_NEAR(estimate_error(history, emitted).iteration_bound, 0.01, 1e-9);
+  EXPECT_NEAR(estimate_error(history, emitted).iteration, 0.01, 1e-9);
+}
+
 TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   history.back().plan.sample = true;
