@@ -17,8 +17,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("enfilade")
     parser.add_argument("--preset", default="rr3425")
-    parser.add_argument("--floors", type=lambda text: [int(n) for n in text.split(",")], default=[3, 10, 30, 60],
-                        help="storeys, rising (3,10,30,60)")
+    parser.add_argument("--floors", type=lambda text: [int(n) for n in text.split(",")], default=[1, 3, 10],
+                        help="storeys, rising (1,3,10)")
     parser.add_argument("-o", "--output", type=Path, required=True)
     parser.add_argument("--chart", type=Path)
     options = parser.parse_args()

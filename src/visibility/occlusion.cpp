@@ -116,7 +116,7 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
 }
 
 Sight Occlusion::between(std::uint32_t a, std::uint32_t b, int max_parts) const {
-  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts};
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts, config_.max_planes};
   Beam beam;
   beam.a = side_of(clusters_[a]);
   beam.b = side_of(clusters_[b]);
@@ -138,7 +138,8 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   for (const Window& w : view.path) {
     beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }
-  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts};
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts,
+              config_.window_planes};
   return settle(std::move(beam), proof, config_.window_rays) == Sight::hidden;
 }
 
@@ -225,7 +226,7 @@ Sight Occlusion::settle(Beam beam, Proof& proof, int rays) const {
   if (!drop_averted(beam, flat_m) || !tighten(beam, flat_m)) return Sight::hidden;
   std::vector<Suspect> suspects;
   if (find_open_line(beam, proof, rays, suspects)) return Sight::open;
-  const std::size_t tried = std::min(suspects.size(), static_cast<std::size_t>(config_.max_planes));
+  const std::size_t tried = std::min(suspects.size(), static_cast<std::size_t>(proof.max_planes));
   const Barrier barrier = best_barrier(beam, std::span(suspects).first(tried));
   if (barrier.windows.empty() && barrier.open_share < 1.0) return Sight::hidden;
   if (--proof.parts_left <= 0 || proof.depth >= config_.max_depth) return Sight::unknown;

@@ -24,6 +24,7 @@ struct OcclusionConfig {
   std::size_t all_parts = 4000000;  ///< which in a large building is so: all pairs get so many
   int window_rays = 4;              ///< as first_rays, for a cluster and a portal
   int window_parts = 4;             ///< as max_parts, for a cluster and a portal
+  int window_planes = 2;            ///< as max_planes, for a cluster and a portal
   int max_planes = 5;               ///< tried for each part, those that stop most rays first
   double most_open = 0.8;           ///< of a plane; where more is open, a side is taken apart
   std::size_t max_pieces = 8;       ///< more openings in a plane are not followed one by one
@@ -61,7 +62,7 @@ class Occlusion {
   };
   struct Proof {
     Random random;
-    int parts_left;
+    int parts_left, max_planes;
     int depth = 0;
   };
 
