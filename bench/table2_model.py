@@ -41,7 +41,7 @@ def cost_model(base: Path, mesh: dict, compute: float, shared: float, request_s:
     flops = {key: value if isinstance(value, str) or key.startswith("byte") else value * compute
              for key, value in model["flops"].items()}
     model["flops"] = flops | {"byte_read": 0, "byte_written": 0}
-    model["disk"] = model["disk"] | {"request_s": request_s, "request_bytes": 65536}
+    model["disk"] = model["disk"] | {"request_s": request_s, "request_bytes": 1048576}
     model["records"] = {"surface_bytes": 0,
                         "patch_bytes": round(PAPER_BYTES * shared / mesh["patches"]),
                         "link_bytes": round(PAPER_BYTES * (1.0 - shared) / mesh["links"])}

@@ -56,7 +56,6 @@ void check(const PlanOptions& options) {
     throw wrong("--visible-from", "does not go with --show " + subject, "leave one of them out");
   if (subject != "assignment" && options.ranks > 0)
     throw wrong("--ranks", "does not go with --show " + subject, "leave one of them out");
-  assignment_method(options.assignment);
   check_output_file(options.output);
 }
 
@@ -166,6 +165,8 @@ void add_subject_options(CLI::App& sub, PlanOptions& o) {
                  "Compute an assignment to so many ranks; default: that of the solve")
       ->check(CLI::Range(1, 1000000));
   sub.add_option("--assignment", o.assignment, "How: kmeans, metis, greedy or round-robin")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(assignment_names().begin(), assignment_names().end())))
       ->needs("--ranks")
       ->capture_default_str();
   sub.add_option("--seed", o.seed, "Of kmeans and metis")->needs("--ranks")->capture_default_str();

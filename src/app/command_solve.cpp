@@ -1,5 +1,10 @@
 // enfilade solve: the light, on all ranks; then what people look at, on one.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "app/command.hpp"
@@ -9,6 +14,7 @@
 #include "app/run_outputs.hpp"
 #include "app/solve_options.hpp"
 #include "app/solve_summary.hpp"
+#include "base/error.hpp"
 #include "parallel/history.hpp"
 #include "parallel/prepare.hpp"
 #include "parallel/rank_profiles.hpp"
@@ -49,6 +55,16 @@ std::vector<IterationSummary> committed_iterations(const std::string& run_direct
   return history_of(read_manifest(RunLayout(run_directory)));
 }
 
+void check_local_directory(const std::string& directory) {
+  std::error_code code;
+  std::filesystem::create_directories(directory, code);
+  if (!code && ::access(directory.c_str(), R_OK | W_OK | X_OK) == 0) return;
+  throw InputError(
+      "command line", "--local-dir",
+      directory + " cannot be made and written: " + (code ? code.message() : std::strerror(errno)),
+      "name a directory that can");
+}
+
 void run_solve(const SolveOptions& options, Session& session) {
   const Console& console = session.console();
   Communicator& communicator = session.communicator();
@@ -63,6 +79,7 @@ void run_solve(const SolveOptions& options, Session& session) {
   communicator.on_root([&] {
     // What every rank is about to read is read by one first, who tells what is wrong with it.
     if (config.resume) committed_iterations(config.run_directory);
+    if (!config.local_directory.empty()) check_local_directory(config.local_directory);
     remove_run_outputs(config.run_directory);
   });
   if (options.trace) machine.trace();

@@ -1,6 +1,8 @@
 #include "app/solve_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "app/option_checks.hpp"
@@ -25,6 +27,13 @@ constexpr const char* footer =
     "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, "
     "and\n"
     "probes.json where the scene has probes.";
+
+/// What the light depends on, or where it goes; the rest is how the work is shared out.
+constexpr std::array of_the_light = {
+    "--target-error", "--epsilon",        "--tolerance", "--basis",
+    "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
+    "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
+    "--resume"};
 
 Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
@@ -163,17 +172,32 @@ std::string SolveOptions::probe_source() const {
 }
 
 void SolveOptions::check_replay() const {
-  if (resume) {
-    throw InputError("command line", "--replay", "does not go with --resume",
+  for (const char* option : of_the_light) {
+    if (!gave(option)) continue;
+    throw InputError("command line", option,
+                     "does not go with --replay, which does the recorded run once more",
                      "leave one of them out");
-  }
-  if (scheme != "spmd") {
-    throw InputError("command line", "--replay", "knows no scheme but spmd", "leave --scheme out");
   }
   std::error_code missing;
   if (fs::equivalent(replay, output, missing)) {
     throw InputError("command line", "-o", "is the run that is replayed", "name another directory");
   }
+}
+
+bool SolveOptions::gave(const std::string& option) const {
+  return std::find(given.begin(), given.end(), option) != given.end();
+}
+
+void SolveOptions::check_scheme() const {
+  const auto refuse = [this](const char* option, const char* why) {
+    if (!gave(option)) return;
+    throw InputError("command line", option, "does not go with --scheme " + scheme + why,
+                     "leave one of them out");
+  };
+  if (scheme == "spmd") return;
+  refuse("--assignment", ": its master deals the clusters out");
+  if (scheme == "replicated") refuse("--order", ": it goes from cell to cell by unshot energy");
+  if (order == "unshot-energy") refuse("--order", ": it needs one rank that sees every gather");
 }
 
 SolveConfig SolveOptions::config() const {
@@ -182,6 +206,7 @@ SolveConfig SolveOptions::config() const {
                      "name one of them; see 'enfilade solve --help'");
   }
   if (!replay.empty()) check_replay();
+  check_scheme();
   if (output.empty() && !is_directory(input)) {
     if (std::error_code code; !input.empty() && !fs::exists(input, code)) {
       throw InputError(input, "file", code ? code.message() : "does not exist", "check the path");
@@ -224,6 +249,12 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.footer(footer);
+  sub.parse_complete_callback([&sub, &o] {
+    o.given.clear();
+    for (const CLI::Option* option : sub.get_options()) {
+      if (option->count() > 0) o.given.push_back(option->get_name());
+    }
+  });
 }
 
 }  // namespace enfilade

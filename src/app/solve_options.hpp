@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "parallel/solve.hpp"
 
@@ -24,6 +25,7 @@ struct SolveOptions {
   int max_iterations = SolveConfig{}.max_iterations;
   bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
   bool pictures = true;
+  std::vector<std::string> given;  ///< options that stood on the command line
 
   /// Empty where the input is a RUN directory that is solved in place.
   std::string scene_file() const;
@@ -35,9 +37,13 @@ struct SolveOptions {
 
  private:
   void check_replay() const;
+  /// A rival scheme shares the work out in its own way.
+  void check_scheme() const;
+  bool gave(const std::string& option) const;
 };
 
-/// Adds the arguments, options and the help text of `solve`.
+/// Adds the arguments, options and the help text of `solve`. What was given is noted once `sub` has
+/// been parsed.
 void add_solve_options(CLI::App& sub, SolveOptions& options);
 
 }  // namespace enfilade

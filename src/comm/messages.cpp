@@ -1,13 +1,25 @@
 #include "comm/messages.hpp"
 
+#include <bit>
+
 #include "base/byte_stream.hpp"
 
 namespace enfilade {
 namespace {
 
 void write(ByteWriter& w, const StealRequest& request) {
+  std::vector<std::uint32_t> words;
+  std::vector<std::uint64_t> bits;
+  for (const ClusterId id : request.resident) {
+    if (words.empty() || words.back() != id.value / 64) {
+      words.push_back(id.value / 64);
+      bits.push_back(0);
+    }
+    bits.back() |= std::uint64_t{1} << (id.value % 64);
+  }
   w.put(request.iteration);
-  w.put_all(request.resident);
+  w.put_all(words);
+  w.put_all(bits);
 }
 
 void write(ByteWriter& w, const StealReply& reply) { w.put(reply.cluster); }
@@ -58,7 +70,15 @@ void write(ByteWriter& w, const ClusterResult& result) { write_sections(w, resul
 StealRequest read_steal_request(ByteReader& r) {
   StealRequest request;
   request.iteration = r.get<int>();
-  request.resident = r.get_all<ClusterId>();
+  const auto words = r.get_all<std::uint32_t>();
+  auto bits = r.get_all<std::uint64_t>();
+  bits.resize(words.size(), 0);
+  for (std::size_t w = 0; w < words.size(); ++w) {
+    for (; bits[w] != 0; bits[w] &= bits[w] - 1) {
+      request.resident.emplace_back(64 * words[w] +
+                                    static_cast<std::uint32_t>(std::countr_zero(bits[w])));
+    }
+  }
   return request;
 }
 

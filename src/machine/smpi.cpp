@@ -22,10 +22,11 @@ namespace {
 
 namespace s4u = simgrid::s4u;
 
-/// The arm of a disk: first come, first served. All ranks share one address space, so it hangs on
-/// the disk itself, where every rank finds it.
+/// The arm of a disk: first come, first served, one request at a time. All ranks share one address
+/// space, so it hangs on the disk itself, where every rank finds it. When a request is done is
+/// known as soon as it has come: those before it have said how long they take.
 struct DiskArm {
-  s4u::MutexPtr queue = s4u::Mutex::create();
+  double free_s = 0.0;  ///< when it is done with all requests so far
   double seek_s = 0.0;
   BackgroundLoad others;
 };
@@ -154,15 +155,13 @@ class SimulatedMachine final : public Machine {
     if (remote) s4u::this_actor::sleep_for(costs_.disk.request_s);
     if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
     DiskArm& arm = arm_of(*server.disk, costs_.disk);
-    // The arm serves one request at a time, so the transfer has the disk's whole bandwidth: what
-    // SimGrid's own disk activity would take, without its record of every activity ever made, which
-    // each later one has to search.
+    // The transfer has the disk's whole bandwidth: what SimGrid's own disk activity would take,
+    // without its record of every activity ever made, which each later one has to search.
     const double bandwidth =
         reading ? server.disk->get_read_bandwidth() : server.disk->get_write_bandwidth();
-    arm.queue->lock();
     const double seconds = arm.seek_s + static_cast<double>(bytes) / bandwidth;
-    s4u::this_actor::sleep_for(arm.others.end_s(now_s(), seconds) - now_s());
-    arm.queue->unlock();
+    arm.free_s = arm.others.end_s(std::max(now_s(), arm.free_s), seconds);
+    s4u::this_actor::sleep_until(arm.free_s);
     if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
   }
 

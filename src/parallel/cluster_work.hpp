@@ -1,9 +1,11 @@
 // What the SPMD loop asks of the work that it shares out: gathers for clusters, and their files.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/ids.hpp"
+#include "machine/machine.hpp"
 #include "parallel/iteration_plan.hpp"
 
 namespace enfilade {
@@ -41,6 +43,20 @@ class ClusterWork {
   /// On rank 0, once every rank has moved: makes the last of `history` the committed iteration.
   virtual void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
                       bool finished) = 0;
+
+  /// What a rank does now and then in the midst of a gather: answer those that wait for it. One
+  /// large gather on a slow host would else hold up all that have run out of work.
+  void set_listener(std::function<void()> listener) { listener_ = std::move(listener); }
+
+ protected:
+  void listen() const {
+    if (listener_) listener_();
+  }
+  /// Passes the time that a gather's work takes, and listens in between.
+  void spend(Machine& machine, const WorkCount& work) const;
+
+ private:
+  std::function<void()> listener_;
 };
 
 }  // namespace enfilade

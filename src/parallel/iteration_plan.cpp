@@ -93,7 +93,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // Light has been everywhere once the change falls below what arrives.
   const double change = relative(last.sums.change_power, last.sums.received_power);
   const bool settled = change < 0.1;
-  plan.close_rows = settled;
+  // Once closed they stay so: closing moves the light as well, and opening them again would move it
+  // back for ever.
+  plan.close_rows = settled || last.plan.close_rows;
   // Where little is absorbed, much more light arrives than is emitted, and the error is relative to
   // it.
   if (!settled && config.epsilon <= 0.0) {

@@ -165,6 +165,10 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
 
 Prepared load_prepared(const std::string& run_directory) {
   const auto mark = read_run_mark(run_directory);
+  if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json")) {
+    throw InputError(run_directory, "run.json", "a replay: it holds figures alone, and no light",
+                     "name the run that was replayed; stats.json says which");
+  }
   if (!mark || !mark->prepared) {
     throw InputError(run_directory, "run.json", "not a prepared run",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");

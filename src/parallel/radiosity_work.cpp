@@ -101,9 +101,12 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   ClusterState& state = resident_.pin_receiver(receiver, visible);
   const GatherResult result = enfilade::gather(
       state, visible,
-      [this](ClusterId id) -> const ClusterState& { return resident_.pin_shooter(id); },
+      [this](ClusterId id) -> const ClusterState& {
+        if (!machine_.simulated()) listen();  // there, time passes only where it is spent
+        return resident_.pin_shooter(id);
+      },
       prepared_.scene.lights, occluders_, gather_config_);
-  machine_.compute(result.work);
+  spend(machine_, result.work);
   coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
   const WrittenReceiver written = resident_.write_receiver(receiver);
 

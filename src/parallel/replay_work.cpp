@@ -92,7 +92,7 @@ IterationSums ReplayWork::gather(ClusterId receiver) {
   for (const ClusterId id : visible) {
     if (id != receiver) resident_.pin_shooter(id);
   }
-  machine_.compute(cost.sums.work);
+  spend(machine_, cost.sums.work);
   state.become(cost.patches, cost.links);
   if (shared_->recording.light.coarse_correction) {
     CoarseRow row;

@@ -42,6 +42,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     add_token(work, token, own, config.coarse_correction);
   };
 
+  work.set_listener([&dialogue] { dialogue.look(); });
   while (!plan.finished) {
     work.begin(plan, changes);
     tasks.start();
@@ -54,6 +55,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     plan = plan_from(verdict.plan);
     changes = std::move(verdict.correction);
   }
+  work.set_listener({});
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "parallel/next_uses.hpp"
 #include "tour/order.hpp"
 
 namespace enfilade {
@@ -37,19 +38,18 @@ class TaskList {
   std::size_t waiting() const { return turns_.size() - done_; }
   const Cycle& cycle() const { return cycle_; }
   /// Turns from now until a cluster (or its links) is used again, going round CYCLE.
-  std::uint64_t next_use(ClusterId cluster, bool links) const;
+  std::uint64_t next_use(ClusterId cluster, bool links) { return uses_.of(cluster, links); }
 
  private:
   void insert(ClusterId cluster, std::vector<ClusterId>& order) const;
-  void number();
 
   const VisibilityCost* cost_;
   std::unique_ptr<Order> order_;
   Cycle cycle_;
   std::vector<ClusterId> turns_;  ///< of this iteration: CYCLE, or what the order made of it so far
   std::vector<ClusterId> adopted_;
-  std::vector<std::uint32_t> place_;  ///< among the turns, by cluster; none for others' clusters
   std::size_t done_ = 0;
+  NextUses uses_;
 };
 
 }  // namespace enfilade

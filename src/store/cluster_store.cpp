@@ -10,7 +10,8 @@ ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clust
       local_directory_(layout.local_of(rank)),
       machine_(machine),
       shelf_(std::move(shelf)),
-      links_slot_(clusters, Slot::a) {
+      links_slot_(clusters, Slot::a),
+      written_(clusters, 0) {
   shelf_->open(local_directory_);
 }
 
@@ -89,6 +90,7 @@ void ClusterStore::write(ClusterId id, std::span<const std::byte> patches,
                          const RecordCount& patches_count, std::span<const std::byte> links,
                          const RecordCount& links_count) {
   Local& local = local_[id];
+  written_[id.index()] = 1;
   Slot& links_slot = links_slot_[id.index()];
   const auto iteration = static_cast<std::uint32_t>(committed_ + 1);
   if (!links.empty()) {
@@ -117,6 +119,7 @@ void ClusterStore::move_to_common() {
                      RunLayout::patches(common, id, slot));
     machine_.move_to_common(id.value, local.patches_bytes);
   }
+  for (const auto& [id, local] : local_) written_[id.index()] = 0;
   local_.clear();
 }
 

@@ -46,7 +46,7 @@ class ClusterStore final : public ClusterFiles {
   void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
              std::span<const std::byte> links, const RecordCount& links_count) override;
   /// Has this rank gathered for the cluster in this iteration?
-  bool written(ClusterId id) const override { return local_.contains(id); }
+  bool written(ClusterId id) const override { return written_[id.index()] != 0; }
   void move_to_common() override;
 
   const StoreCount& count() const { return count_; }
@@ -70,6 +70,7 @@ class ClusterStore final : public ClusterFiles {
   int committed_ = 0;
   std::vector<Slot> links_slot_;      ///< of the newest links, by cluster
   std::map<ClusterId, Local> local_;  ///< what was written in this iteration
+  std::vector<char> written_;         ///< by cluster: is it among them?
   StoreCount count_;
 };
 

@@ -1,18 +1,10 @@
 #include "store/placement.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/error.hpp"
 
 namespace enfilade {
-namespace {
-/// Of a heap's block: its size before it, and addresses that are multiples of this.
-constexpr std::uint64_t heap_header_bytes = 16;
-std::uint64_t round_up(std::uint64_t bytes, std::uint64_t unit) {
-  return (bytes + unit - 1) / unit * unit;
-}
-}  // namespace
 
 const char* name_of(MemoryManager manager) {
   return manager == MemoryManager::own ? "own" : "malloc";
@@ -29,108 +21,114 @@ MemoryManager memory_manager(const std::string& name) {
 Placement::Placement(MemoryManager manager, std::uint64_t memory_bytes)
     : manager_(manager), frames_(std::max<std::uint64_t>(1, memory_bytes / page_bytes)) {}
 
-void Placement::add_hole(std::uint64_t address, std::uint64_t bytes) {
-  holes_[address] = bytes;
-  holes_by_size_.insert({bytes, address});
-}
-
-void Placement::remove_hole(std::map<std::uint64_t, std::uint64_t>::iterator hole) {
-  holes_by_size_.erase({hole->second, hole->first});
-  holes_.erase(hole);
-}
-
-/// The smallest hole that is large enough, and of equals the lowest; else the end.
-Placement::Piece Placement::take_hole(std::uint64_t bytes) {
-  const auto fits = holes_by_size_.lower_bound({bytes, 0});
-  if (fits == holes_by_size_.end()) {
-    const Piece piece{end_, bytes};
-    end_ += bytes;
-    return piece;
-  }
-  const auto [size, address] = *fits;
-  remove_hole(holes_.find(address));
-  if (size > bytes) add_hole(address + bytes, size - bytes);
-  return {address, bytes};
-}
-
-void Placement::free(Piece piece) {
-  const auto after = holes_.lower_bound(piece.address);
-  if (after != holes_.end() && after->first == piece.address + piece.bytes) {
-    piece.bytes += after->second;
-    remove_hole(after);
-  }
-  const auto next = holes_.lower_bound(piece.address);
-  if (next != holes_.begin()) {
-    const auto before = std::prev(next);
-    if (before->first + before->second == piece.address) {
-      piece = {before->first, before->second + piece.bytes};
-      remove_hole(before);
-    }
-  }
-  if (piece.address + piece.bytes == end_) {
-    give_back(piece.address, round_up(end_, page_bytes));
-    end_ = piece.address;
-  } else {
-    add_hole(piece.address, piece.bytes);
-    if (manager_ == MemoryManager::own) give_back(piece.address, piece.address + piece.bytes);
-  }
-}
-
-void Placement::give_back(std::uint64_t from, std::uint64_t to) {
-  for (std::uint64_t p = round_up(from, page_bytes) / page_bytes; p < to / page_bytes; ++p) {
-    in_memory_ -= pages_[p].in_memory ? 1 : 0;
-    pages_[p] = {};
-  }
-}
-
 std::uint64_t Placement::accounted(std::uint64_t bytes) const {
-  return manager_ == MemoryManager::own ? round_up(bytes, piece_bytes) : bytes;
+  constexpr std::uint64_t piece = PieceMap::piece_bytes;
+  return manager_ == MemoryManager::own ? (bytes + piece - 1) / piece * piece : bytes;
 }
 
-/// The old block goes when the new one is there, as with a vector that grows; own pieces stay.
-void Placement::resize(Block& block, std::uint64_t bytes) {
-  std::vector<Piece> pieces, old;
-  if (block != 0) {
-    old = std::move(blocks_[block]);
-    unused_.push_back(block);
-    block = 0;
-  }
-  if (manager_ == MemoryManager::own) {
-    const std::size_t count = (bytes + piece_bytes - 1) / piece_bytes;
-    const std::size_t kept = std::min(count, old.size());
-    pieces.assign(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(kept));
-    old.erase(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(kept));
-    while (pieces.size() < count) pieces.push_back(take_hole(piece_bytes));
-  } else if (bytes > 0) {
-    pieces = {take_hole(round_up(bytes + heap_header_bytes, heap_header_bytes))};
-  }
-  count_.extent_bytes = std::max(count_.extent_bytes, end_);
-  pages_.resize(std::max<std::size_t>(pages_.size(), round_up(end_, page_bytes) / page_bytes));
-  for (const Piece& piece : old) free(piece);
-  if (pieces.empty()) return;
+Placement::Block Placement::new_block() {
   if (unused_.empty()) {
     unused_.push_back(static_cast<Block>(blocks_.size()));
     blocks_.emplace_back();
   }
-  block = unused_.back();
+  const Block block = unused_.back();
   unused_.pop_back();
-  blocks_[block] = std::move(pieces);
-  use(block);
+  return block;
+}
+
+void Placement::take(std::uint64_t bytes, std::vector<AddressRange>& ranges) {
+  if (bytes == 0) return;
+  if (manager_ == MemoryManager::own) {
+    pieces_.take(bytes, ranges);
+  } else {
+    ranges.push_back(heap_.take(bytes));
+  }
+  const std::uint64_t end = manager_ == MemoryManager::own ? pieces_.extent_bytes() : heap_.end();
+  count_.extent_bytes = std::max(count_.extent_bytes, end);
+  pages_.resize(std::max<std::size_t>(pages_.size(), (end + page_bytes - 1) / page_bytes));
+}
+
+template <class Visit>
+void Placement::for_pages(const AddressRange& range, Visit visit) {
+  const std::uint64_t last = (range.address + range.bytes - 1) / page_bytes;
+  for (std::uint64_t p = range.address / page_bytes; p <= last; ++p) visit(p);
+}
+
+void Placement::free(const AddressRange& range, std::uint64_t last_use) {
+  for_pages(range,
+            [&](std::size_t p) { pages_[p].last_use = std::max(pages_[p].last_use, last_use); });
+  if (manager_ == MemoryManager::own) {
+    pieces_.free(range);
+    for_pages(range, [this](std::size_t p) {
+      if (pieces_.page_empty(p)) give_back(p);
+    });
+    return;
+  }
+  const std::uint64_t end = heap_.end();
+  heap_.free(range);
+  for (std::uint64_t p = (heap_.end() + page_bytes - 1) / page_bytes;
+       p < (end + page_bytes - 1) / page_bytes; ++p) {
+    give_back(p);
+  }
+}
+
+void Placement::give_back(std::size_t page) {
+  if (pages_[page].in_memory) {
+    --in_memory_;
+  } else if (pages_[page].on_disk) {
+    --swapped_out_;
+  }
+  pages_[page] = {};
+}
+
+/// The old block goes when the new one is there, as with a vector that grows; own pieces stay.
+void Placement::resize(Block& block, std::uint64_t bytes) {
+  BlockPlace old;
+  if (block != 0) {
+    old = std::move(blocks_[block]);
+    blocks_[block] = {};
+    unused_.push_back(block);
+    block = 0;
+  }
+  BlockPlace place;
+  std::uint64_t missing = accounted(bytes);
+  std::size_t kept = 0;
+  if (manager_ == MemoryManager::own) {
+    while (kept < old.ranges.size() && missing > 0) {
+      AddressRange& range = old.ranges[kept];
+      const std::uint64_t part = std::min(missing, range.bytes);
+      place.ranges.push_back({range.address, part});
+      missing -= part;
+      if (part == range.bytes) ++kept;
+      range = {range.address + part, range.bytes - part};
+    }
+  }
+  take(missing, place.ranges);
+  for (; kept < old.ranges.size(); ++kept) free(old.ranges[kept], old.last_use);
+  if (place.ranges.empty()) return;
+  block = new_block();
+  blocks_[block] = std::move(place);
+  blocks_[block].last_use = ++clock_;
+  touch(blocks_[block]);
 }
 
 std::uint64_t Placement::use(Block block) {
-  ++clock_;
+  blocks_[block].last_use = ++clock_;
+  return swapped_out_ == 0 ? 0 : touch(blocks_[block]);
+}
+
+std::uint64_t Placement::touch(const BlockPlace& block) {
   std::uint64_t swapped = 0;
-  for (const Piece& piece : blocks_[block]) {
-    const std::uint64_t last = (piece.address + piece.bytes - 1) / page_bytes;
-    for (std::uint64_t p = piece.address / page_bytes; p <= last; ++p) {
+  for (const AddressRange& range : block.ranges) {
+    for_pages(range, [&](std::size_t p) {
       Page& page = pages_[p];
-      page.last_use = clock_;
-      if (page.in_memory) continue;
+      if (page.in_memory) return;
       page.in_memory = true;
       ++in_memory_;
-      if (page.on_disk) swapped += page_bytes;
-    }
+      if (!page.on_disk) return;
+      --swapped_out_;
+      swapped += page_bytes;
+    });
   }
   if (in_memory_ > frames_) swapped += swap_oldest();
   count_.swapped_bytes += swapped;
@@ -139,6 +137,13 @@ std::uint64_t Placement::use(Block block) {
 
 /// A little more than needed, as systems do.
 std::uint64_t Placement::swap_oldest() {
+  for (const BlockPlace& block : blocks_) {
+    for (const AddressRange& range : block.ranges) {
+      for_pages(range, [&](std::size_t p) {
+        pages_[p].last_use = std::max(pages_[p].last_use, block.last_use);
+      });
+    }
+  }
   std::vector<std::pair<std::uint64_t, std::uint64_t>> used;  // when, page
   for (std::size_t p = 0; p < pages_.size(); ++p) {
     if (pages_[p].in_memory && pages_[p].last_use < clock_)
@@ -153,6 +158,7 @@ std::uint64_t Placement::swap_oldest() {
     page.on_disk = true;
   }
   in_memory_ -= count;
+  swapped_out_ += count;
   return count * page_bytes;
 }
 

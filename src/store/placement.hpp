@@ -3,20 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "store/heap_map.hpp"
+
 namespace enfilade {
 
-/// own     the memory is cut into small pieces, all alike; a block takes any that are free, so that
-/// no
-///         hole is too small to be used, and free pages go back to the system (in the real heap: by
-///         malloc_trim)
-/// malloc  a general-purpose heap: a block is one piece, in the smallest hole that it fits into,
-/// else at
-///         the end; neighbouring holes become one; only what is free at the end goes back
+/// own     small pieces (piece_map.hpp): a block takes any that are free, and free pages go back to
+///         the system (in the real heap: by malloc_trim)
+/// malloc  a general-purpose heap (heap_map.hpp)
 enum class MemoryManager { own, malloc };
 /// Throws InputError for a name that is neither.
 MemoryManager memory_manager(const std::string& name);
@@ -36,8 +32,7 @@ struct PlacementCount {
 /// malloc.
 class Placement {
  public:
-  static constexpr std::uint64_t page_bytes = 4096;
-  static constexpr std::uint64_t piece_bytes = 256;  ///< of own
+  static constexpr std::uint64_t page_bytes = PieceMap::page_bytes;
 
   Placement(MemoryManager manager, std::uint64_t memory_bytes);
 
@@ -54,29 +49,33 @@ class Placement {
   const PlacementCount& count() const { return count_; }
 
  private:
-  struct Piece {
-    std::uint64_t address = 0, bytes = 0;
+  struct BlockPlace {
+    std::vector<AddressRange> ranges;
+    std::uint64_t last_use = 0;
   };
   struct Page {
-    std::uint64_t last_use = 0;
+    std::uint64_t last_use = 0;  ///< by blocks that are gone; those that are there know their own
     bool in_memory = false, on_disk = false;
   };
-  Piece take_hole(std::uint64_t bytes);
-  void free(Piece piece);
-  void add_hole(std::uint64_t address, std::uint64_t bytes);
-  void remove_hole(std::map<std::uint64_t, std::uint64_t>::iterator hole);
-  /// Whole pages between these addresses are the system's again.
-  void give_back(std::uint64_t from, std::uint64_t to);
+  Block new_block();
+  /// All pages that these addresses touch.
+  template <class Visit>
+  void for_pages(const AddressRange& range, Visit visit);
+  void take(std::uint64_t bytes, std::vector<AddressRange>& ranges);
+  void free(const AddressRange& range, std::uint64_t last_use);
+  /// The page is the system's again.
+  void give_back(std::size_t page);
+  /// Brings the block's pages into the memory. Returns the bytes swapped for that.
+  std::uint64_t touch(const BlockPlace& block);
   std::uint64_t swap_oldest();
 
   MemoryManager manager_;
   std::uint64_t frames_;  ///< pages that the memory holds
-  std::uint64_t clock_ = 0, in_memory_ = 0;
-  std::uint64_t end_ = 0;                         ///< of what was ever taken and not given back
-  std::map<std::uint64_t, std::uint64_t> holes_;  ///< address -> bytes
-  std::set<std::pair<std::uint64_t, std::uint64_t>> holes_by_size_;  ///< bytes, address
+  std::uint64_t clock_ = 0, in_memory_ = 0, swapped_out_ = 0;
+  PieceMap pieces_;  ///< of own
+  HeapMap heap_;     ///< of malloc
   std::vector<Page> pages_;
-  std::vector<std::vector<Piece>> blocks_{1};
+  std::vector<BlockPlace> blocks_{1};
   std::vector<Block> unused_;
   PlacementCount count_;
 };

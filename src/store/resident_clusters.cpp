@@ -70,7 +70,7 @@ void BasicResidentClusters<State>::adopt(State state) {
   entry.has_links = true;
   entry.iteration = files_.committed();
   measure(entry);
-  evict(false);
+  evict();
 }
 
 /// Brings the account of memory up to date with what the entry holds now.
@@ -134,7 +134,7 @@ void BasicResidentClusters<State>::load(ClusterId id, Entry& entry) {
 template <class State>
 void BasicResidentClusters<State>::set_correction(std::function<void(State&)> correction) {
   correction_ = std::move(correction);
-  for (auto& [id, entry] : entries_) entry.corrected = false;
+  entries_.for_each([](ClusterId, Entry& entry) { entry.corrected = false; });
 }
 
 /// Files hold what the gathers brought; the correction that belongs to the committed iteration is
@@ -159,12 +159,12 @@ void BasicResidentClusters<State>::load_links(ClusterId id, Entry& entry) {
 template <class State>
 void BasicResidentClusters<State>::set_committed_only(bool committed_only) {
   committed_only_ = committed_only;
-  for (auto& [id, entry] : entries_) {
-    if (!entry.previous) continue;
+  entries_.for_each([this](ClusterId id, Entry& entry) {
+    if (!entry.previous) return;
     entry.previous.reset();
     measure(entry);
-  }
-  std::erase_if(entries_, [](const auto& entry) { return !entry.second.state; });
+    if (!entry.state) entries_.erase(id);
+  });
 }
 
 /// The cluster as it was before this rank gathered for it in this iteration.
@@ -200,7 +200,7 @@ State& BasicResidentClusters<State>::pin_receiver(ClusterId id,
     entry.previous = std::make_unique<State>(entry.state->shooter());
     measure(entry);
   }
-  evict(true);
+  evict();
   use(id, entry, true);
   return *entry.state;
 }
@@ -209,8 +209,8 @@ template <class State>
 const State& BasicResidentClusters<State>::pin_shooter(ClusterId id) {
   shooter_ = id;
   const State& state = shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
-  evict(true);
-  use(id, entries_.at(id), false);
+  evict();
+  use(id, *entries_.find(id), false);
   return state;
 }
 
@@ -222,8 +222,7 @@ bool BasicResidentClusters<State>::pinned(ClusterId id) const {
 template <class State>
 void BasicResidentClusters<State>::list_missing(ClusterId id,
                                                 std::vector<SectionName>& missing) const {
-  const auto found = entries_.find(id);
-  const Entry* entry = found == entries_.end() ? nullptr : &found->second;
+  const Entry* entry = entries_.find(id);
   const bool here = entry != nullptr && entry->state != nullptr;
   const bool as_committed = shoots_as_committed(id);
   if (as_committed && entry != nullptr && entry->previous) return;
@@ -247,7 +246,7 @@ void BasicResidentClusters<State>::hold(std::vector<ClusterId> shooters) {
 
 template <class State>
 WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
-  Entry& entry = entries_.at(id);
+  Entry& entry = *entries_.find(id);
   shrink(*entry.state);
   const State& state = *entry.state;
   const RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
@@ -273,7 +272,7 @@ template <class State>
 void BasicResidentClusters<State>::unpin() {
   receiver_ = shooter_ = ClusterId();
   visible_ = {};
-  evict(false);
+  evict();
 }
 
 template <class State>
@@ -290,34 +289,36 @@ void BasicResidentClusters<State>::drop_links(Entry& entry) {
 }
 
 template <class State>
-void BasicResidentClusters<State>::evict(bool pressed) {
+void BasicResidentClusters<State>::evict() {
   if (budget_bytes_ == 0) return;
   // The next cluster comes in before others go: there must be room for it, or the system would
   // swap.
   const std::uint64_t limit = budget_bytes_ - std::min(budget_bytes_ / 2, largest_bytes_);
   if (bytes_ <= limit) return;
   // A little more than needed, so that the order is not worked out for every cluster that comes in.
-  const std::uint64_t goal = limit - (pressed ? limit / 16 : 0);
+  const std::uint64_t goal = limit - limit / 32;
   using Part = std::tuple<std::uint64_t, bool, ClusterId>;  // next use, links, whose
   std::vector<Part> parts;
-  for (const auto& [id, entry] : entries_) {
+  entries_.for_each([&](ClusterId id, const Entry& entry) {
     if (entry.has_links && id != receiver_) parts.emplace_back(turns_until(id, true), true, id);
     if (!pinned(id)) parts.emplace_back(turns_until(id, false), false, id);
-  }
-  std::sort(parts.begin(), parts.end(), std::greater<>());
-  for (const auto& [when, links, id] : parts) {
-    if (bytes_ <= goal) break;
-    const auto found = entries_.find(id);
-    if (found == entries_.end()) continue;
+  });
+  std::make_heap(parts.begin(), parts.end());
+  for (; bytes_ > goal && !parts.empty(); parts.pop_back()) {
+    std::pop_heap(parts.begin(), parts.end());
+    const bool links = std::get<1>(parts.back());
+    const ClusterId id = std::get<2>(parts.back());
+    Entry* entry = entries_.find(id);
+    if (entry == nullptr) continue;
     const std::uint64_t before = bytes_;
     if (links) {
-      drop_links(found->second);
+      drop_links(*entry);
     } else {
-      found->second.state.reset();
-      found->second.previous.reset();
+      entry->state.reset();
+      entry->previous.reset();
     }
-    measure(found->second);
-    if (!links) entries_.erase(found);
+    measure(*entry);
+    if (!links) entries_.erase(id);
     freed_bytes_ += before - bytes_;
     ++count_.evictions;
   }
@@ -331,7 +332,7 @@ void BasicResidentClusters<State>::evict(bool pressed) {
 template <class State>
 std::vector<ClusterId> BasicResidentClusters<State>::resident() const {
   std::vector<ClusterId> ids;
-  for (const auto& [id, entry] : entries_) ids.push_back(id);
+  entries_.for_each([&ids](ClusterId id, const Entry&) { ids.push_back(id); });
   return ids;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "machine/machine.hpp"
 #include "radiosity/cluster_state.hpp"
 #include "store/cluster_files.hpp"
+#include "store/cluster_table.hpp"
 #include "store/placement.hpp"
 #include "store/recorded_cluster.hpp"
 
@@ -101,7 +101,7 @@ class BasicResidentClusters {
   bool shoots_as_committed(ClusterId id) const { return committed_only_ && files_.written(id); }
   /// What has to be read for it to shoot.
   void list_missing(ClusterId id, std::vector<SectionName>& missing) const;
-  void evict(bool pressed);
+  void evict();
   void drop_links(Entry& entry);
 
   ClusterFiles& files_;
@@ -112,7 +112,7 @@ class BasicResidentClusters {
   NextUse next_use_;
   bool committed_only_ = false;
   std::function<void(State&)> correction_;
-  std::map<ClusterId, Entry> entries_;
+  ClusterTable<Entry> entries_;
   ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid
   std::span<const ClusterId> visible_;
   std::vector<ClusterId> held_;  ///< ascending

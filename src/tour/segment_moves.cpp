@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <deque>
 
 #include "base/random.hpp"
@@ -59,14 +60,34 @@ class TourArray {
   std::vector<std::uint32_t> tour_, at_, buffer_;
 };
 
+/// OVG's edges as they were last worked out: the moves look at the same ones again and again.
+class PriceMemory {
+ public:
+  PriceMemory(const std::vector<ClusterId>& clusters, const VisibilityCost& cost)
+      : clusters_(clusters), cost_(cost), known_(std::bit_ceil(64 * clusters.size())) {}
+  std::uint64_t between(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t edge = (std::uint64_t{a} << 32) | b;
+    Price& price = known_[(edge * 0x9E3779B97F4A7C15u >> 32) & (known_.size() - 1)];
+    if (price.edge != edge) price = {edge, cost_.between(clusters_[a], clusters_[b])};
+    return price.bytes;
+  }
+
+ private:
+  struct Price {
+    std::uint64_t edge = ~std::uint64_t{0}, bytes = 0;
+  };
+  const std::vector<ClusterId>& clusters_;
+  const VisibilityCost& cost_;
+  std::vector<Price> known_;
+};
+
 class Improver {
  public:
   Improver(std::vector<std::uint32_t> tour, const std::vector<ClusterId>& clusters,
            const VisibilityCost& cost, const CandidateLists& candidates,
            const SegmentMoveConfig& config)
       : tour_(std::move(tour)),
-        clusters_(clusters),
-        cost_(cost),
+        prices_(clusters, cost),
         near_(candidates),
         config_(config),
         budget_(config.costs_a_cluster * tour_.size()),
@@ -90,7 +111,7 @@ class Improver {
  private:
   std::uint64_t price(std::uint32_t a, std::uint32_t b) {
     ++tried_;
-    return cost_.between(clusters_[a], clusters_[b]);
+    return prices_.between(a, b);
   }
   void push(std::uint32_t a) {
     if (queued_[a]) return;
@@ -222,8 +243,7 @@ class Improver {
   }
 
   TourArray tour_;
-  const std::vector<ClusterId>& clusters_;
-  const VisibilityCost& cost_;
+  PriceMemory prices_;
   const CandidateLists& near_;
   SegmentMoveConfig config_;
   std::uint64_t budget_, tried_ = 0, total_ = 0;

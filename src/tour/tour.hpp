@@ -21,8 +21,10 @@ class VisibilityCost {
   VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
                  std::uint64_t memory_bytes, std::vector<std::uint64_t> receiver_bytes = {});
   std::uint64_t between(ClusterId from, ClusterId to) const;
-  /// Bytes that `receiver` needs and that are not among `resident` (§3.3.3: the victim's choice).
-  std::uint64_t given(std::span<const ClusterId> resident, ClusterId receiver) const;
+  /// Bytes that each of the receivers needs and that are not among `resident` (§3.3.3: the victim's
+  /// choice).
+  std::vector<std::uint64_t> given(std::span<const ClusterId> resident,
+                                   std::span<const ClusterId> receivers) const;
   /// Bytes that `receiver` needs when nothing is in memory.
   std::uint64_t needed(ClusterId receiver) const { return needed_[receiver.index()]; }
   const ClusterGraph& graph() const { return *graph_; }
@@ -31,12 +33,14 @@ class VisibilityCost {
   /// 64 clusters with neighbouring ids, as bits: a room's clusters are a few words.
   struct Word {
     std::uint32_t index = 0;
-    std::uint64_t bits = 0;
+    std::uint64_t bits = 0, bytes = 0;
   };
   std::span<const Word> words(std::size_t cluster) const {
     return {words_.data() + first_word_[cluster], words_.data() + first_word_[cluster + 1]};
   }
-  std::uint64_t bytes_of(const Word& word) const;
+  std::uint64_t bytes_of(std::uint32_t index, std::uint64_t bits) const;
+  /// Of the word's clusters, those that are not among `held`.
+  std::uint64_t bytes_without(const Word& word, std::uint64_t held) const;
   std::uint64_t receiver_bytes(std::size_t cluster) const {
     return receiver_bytes_.empty() ? 0 : receiver_bytes_[cluster];
   }

@@ -173,6 +173,19 @@ class WrongNames(InRun):
                     self.assert_refused(enfilade(command, ROOM, "-o", run), str(run), "name another directory")
         self.assertEqual((self.scratch / "file").read_text(), "in the way")
 
+    def test_a_local_directory_that_cannot_be_made(self):
+        result = solve(ROOM, self.run_directory, "--local-dir", ROOM)
+        self.assert_refused(result, "--local-dir", str(ROOM))
+
+    def test_a_rival_scheme_refuses_what_it_would_not_heed(self):
+        self.assert_refused(solve(ROOM, self.run_directory, "--scheme", "master-slave", "--assignment", "metis"), "--assignment")
+        self.assert_refused(solve(ROOM, self.run_directory, "--scheme", "replicated", "--order", "random"), "--order")
+
+    def test_a_replay_refuses_what_the_light_depends_on(self):
+        for option in (["--target-error", "0.1"], ["--no-coarse-correction"], ["--basis", "constant"]):
+            result = enfilade("solve", "--replay", self.run_directory, "-o", self.scratch / "again", *option)
+            self.assert_refused(result, option[0], "--replay")
+
     def test_a_file_that_cannot_be_made(self):
         points = ROOM
         for command, name, *options in [("render", "x.png"), ("export", "x.glb"), ("export", "x.json"), ("report", "x.html"),

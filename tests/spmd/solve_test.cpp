@@ -242,7 +242,7 @@ void replay_rooms(Context& context) {
     context.communicator.on_root([&] {
       const double full_s = solved.number("simulated_s", 0),
                    replayed_s = again.number("simulated_s", 0);
-      SPMD_CHECK(full_s > 0.0 && std::abs(replayed_s / full_s - 1.0) < (little ? 0.05 : 1e-3),
+      SPMD_CHECK(full_s > 0.0 && std::abs(replayed_s / full_s - 1.0) < 1e-3,
                  std::to_string(full_s) + " s, replayed " + std::to_string(replayed_s) + " s");
       if (little) return;
       for (const char* key : {"bytes_read", "bytes_written", "messages", "message_bytes", "steals",

@@ -85,16 +85,35 @@ TEST(SolveOptions, AReplayTakesTheRunInPlaceOfAScene) {
   options.output.clear();
   EXPECT_THROW(options.config(), InputError);
   options.output = "run";
-  options.resume = true;
-  EXPECT_THROW(options.config(), InputError);
-  options.resume = false;
-  options.scheme = "replicated";
-  EXPECT_THROW(options.config(), InputError);
-  options.scheme = "spmd";
+  for (const char* of_the_light : {"--resume", "--scheme", "--target-error", "--basis"}) {
+    options.given = {of_the_light};
+    EXPECT_THROW(options.config(), InputError) << of_the_light;
+  }
+  options.given = {"--assignment", "--order", "--memory", "--no-steal"};
+  EXPECT_NO_THROW(options.config());
   options.input = "scene.json";
   EXPECT_THROW(options.config(), InputError);
   options.input = options.replay = "";
   EXPECT_THROW(options.config(), InputError);
+}
+
+TEST(SolveOptions, ARivalSchemeRefusesWhatItWouldNotHeed) {
+  SolveOptions options;
+  options.input = "scene.json";
+  options.output = "run";
+  options.scheme = "master-slave";
+  options.given = {"--scheme", "--order"};
+  options.order = "random";
+  EXPECT_NO_THROW(options.config());
+  options.order = "unshot-energy";
+  EXPECT_THROW(options.config(), InputError);
+  options.scheme = "replicated";
+  options.order = "random";
+  EXPECT_THROW(options.config(), InputError);
+  options.given = {"--scheme", "--assignment"};
+  EXPECT_THROW(options.config(), InputError);
+  options.scheme = "spmd";
+  EXPECT_NO_THROW(options.config());
 }
 
 }  // namespace

@@ -63,6 +63,16 @@ TEST(IterationPlan, GoesOnWhileLinksAreRefinedOrLightMoves) {
   EXPECT_FALSE(next_plan(moving, config).sample);
 }
 
+TEST(IterationPlan, RowsOnceClosedStayClosed) {
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000)};
+  history.back().plan.close_rows = false;
+  EXPECT_FALSE(next_plan(history, config).close_rows);
+  history.push_back(summary(2, 0.05));
+  EXPECT_TRUE(next_plan(history, config).close_rows);
+  history.push_back(summary(3, 0.2));  // closing them has moved the light by more than that
+  EXPECT_TRUE(next_plan(history, config).close_rows);
+}
+
 TEST(IterationPlan, GivesUpAtTheLimitAndSaysSo) {
   const std::vector<IterationSummary> history = {summary(49, 0.6), summary(50, 0.5)};
   const IterationPlan plan = next_plan(history, config);

@@ -50,9 +50,10 @@ TEST(VisibilityCost, GivenCountsWhatIsNotResident) {
   const ClusterGraph graph(4, {{0, 1}, {0, 2}});
   const VisibilityCost cost(graph, {1, 10, 100, 1000}, plenty, {5, 5, 5, 5});
   EXPECT_EQ(cost.needed(ClusterId(0)), 116u);
-  EXPECT_EQ(cost.given({}, ClusterId(0)), 116u);
+  const std::vector<ClusterId> receivers{ClusterId(0), ClusterId(3)};
+  EXPECT_EQ(cost.given({}, receivers), (std::vector<std::uint64_t>{116u, 1005u}));
   const std::vector<ClusterId> resident{ClusterId(2), ClusterId(3)};
-  EXPECT_EQ(cost.given(resident, ClusterId(0)), 16u);
+  EXPECT_EQ(cost.given(resident, receivers), (std::vector<std::uint64_t>{16u, 5u}));
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// When a rank will use each cluster again: what its CYCLE tells the memory (Belady's rule).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "visibility/cluster_graph.hpp"
+
+namespace enfilade {
+
+class NextUses {
+ public:
+  /// `graph` must outlive it.
+  explicit NextUses(const ClusterGraph& graph) : graph_(&graph) {}
+
+  /// A new round of these receivers, in this order.
+  void start(std::span<const ClusterId> turns);
+  /// Its turn is taken; it comes again in the next round.
+  void done(ClusterId receiver);
+  /// It is another rank's from now on.
+  void gave(ClusterId receiver);
+  /// Turns from now until a cluster (or its links) is used, going round; what nobody here uses
+  /// comes after all others.
+  std::uint64_t of(ClusterId cluster, bool links);
+
+ private:
+  enum class Turn : char { waiting, done, gone };
+  static constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
+  void list_uses();
+  std::uint64_t never() const { return 2 * turns_.size() + 1; }
+  std::uint64_t turns_until(std::uint32_t turn) const;
+
+  const ClusterGraph* graph_;
+  std::vector<ClusterId> turns_;
+  std::vector<Turn> state_;           ///< of each turn
+  std::vector<std::uint32_t> place_;  ///< of each cluster among the turns
+  std::uint64_t past_ = 0;            ///< turns done
+  // Made when somebody asks; the turns that use cluster c, ascending: uses_[first_[c]] to
+  // uses_[first_[c + 1] - 1], of which those before next_[c] do not wait.
+  std::vector<std::uint32_t> uses_, first_, next_;
+};
+
+}  // namespace enfilade
