@@ -24,6 +24,7 @@ METHODS = [("linear", "error", "exact"), ("linear", "bf", "exact"), ("constant",
 
 def main():
     options = arguments()
+    options.output.parent.mkdir(parents=True, exist_ok=True)
     rows = []
     for pair in options.scenes:
         scene, points = map(Path, pair.split("=", 1))
