@@ -29,8 +29,9 @@ std::string options_of(const PrepareConfig& config) {
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
-  const auto& [first_rays, rays, max_pair_parts, all_pair_parts, window_rays, window_parts,
-               max_planes, most_open, max_pieces, pair_seed] = occlusion;
+  const auto& [first_rays, rays, max_pair_parts, max_depth, min_pair_parts, all_pair_parts,
+               window_rays, window_parts, window_planes, max_planes, most_open, max_pieces,
+               pair_seed] = occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -49,9 +50,12 @@ std::string options_of(const PrepareConfig& config) {
                                        {"occlusion_first_rays", first_rays},
                                        {"occlusion_rays", rays},
                                        {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_max_depth", max_depth},
+                                       {"occlusion_min_parts", min_pair_parts},
                                        {"occlusion_all_parts", all_pair_parts},
                                        {"occlusion_window_rays", window_rays},
                                        {"occlusion_window_parts", window_parts},
+                                       {"occlusion_window_planes", window_planes},
                                        {"occlusion_max_planes", max_planes},
                                        {"occlusion_most_open", most_open},
                                        {"occlusion_max_pieces", max_pieces},
@@ -165,7 +169,9 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
 
 Prepared load_prepared(const std::string& run_directory) {
   const auto mark = read_run_mark(run_directory);
-  if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json")) {
+  // A run that was left or damaged has its scene.
+  if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json") &&
+      !std::filesystem::exists(run_directory + "/scene.json")) {
     throw InputError(run_directory, "run.json", "a replay: it holds figures alone, and no light",
                      "name the run that was replayed; stats.json says which");
   }

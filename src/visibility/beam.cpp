@@ -100,7 +100,9 @@ bool cut_side(BeamSide& side, const HalfSpaces& spaces, double slack_m) {
     cut = true;
     if (outside(part.polygon(), spaces, slack_m)) continue;
     Polygon polygon = clip_to(part.polygon(), spaces, slack_m);
-    if (polygon.size() >= 3) kept.push_back(part.cut_to(std::move(polygon)));
+    // What only the slack has left touches the border, no more.
+    if (polygon.size() < 3 || area_m2(polygon) <= 4.0 * slack_m * diameter(polygon)) continue;
+    kept.push_back(part.cut_to(std::move(polygon)));
   }
   if (cut) {
     side = side_of(std::move(kept));
@@ -179,15 +181,14 @@ int where(const BeamSide& side, const Plane& plane, double tolerance_m) {
     }
     lowest = std::min(lowest, low);
     highest = std::max(highest, high);
-    if (std::max(high, -low) > 2.0 * tolerance_m) continue;
     // A polygon in the plane itself: nothing there hides what it looks at.
     const double facing = glm::dot(part.plane().n, plane.n);
-    if (!(facing > 0.5)) flat_front = true;
-    if (!(facing < -0.5)) flat_back = true;
+    if (std::max(high, -low) > 2.0 * tolerance_m || std::abs(facing) < 0.5) continue;
+    (facing < 0.0 ? flat_front : flat_back) = true;
   }
-  const double rounding_m = 1e-3 * tolerance_m;
-  if (lowest >= -rounding_m && !flat_front) return 1;
-  return highest <= rounding_m && !flat_back ? -1 : 0;
+  const double flat_m = rounding_m(tolerance_m);
+  if (lowest >= -flat_m && !flat_front) return 1;
+  return highest <= flat_m && !flat_back ? -1 : 0;
 }
 
 int where(const Window& window, const Plane& plane, double tolerance_m) {
@@ -197,9 +198,9 @@ int where(const Window& window, const Plane& plane, double tolerance_m) {
     lowest = std::min(lowest, d);
     highest = std::max(highest, d);
   }
-  const double rounding_m = 1e-3 * tolerance_m;
-  if (lowest >= -rounding_m && highest > 2.0 * tolerance_m) return 1;
-  return highest <= rounding_m && lowest < -2.0 * tolerance_m ? -1 : 0;
+  const double flat_m = rounding_m(tolerance_m);
+  if (lowest >= -flat_m && highest > 2.0 * tolerance_m) return 1;
+  return highest <= flat_m && lowest < -2.0 * tolerance_m ? -1 : 0;
 }
 
 // The hull of where segments from one set of points to the other cross the plane between them.
@@ -218,7 +219,7 @@ Polygon crossings(const std::vector<Vec3>& from, const std::vector<Vec3>& to, co
     }
   }
   Polygon region = convex_hull(std::move(points), plane.n);
-  if (region.size() < 3 || area_m2(region) <= 1e-3 * tolerance_m * diameter(region)) return {};
+  if (region.size() < 3 || area_m2(region) <= rounding_m(tolerance_m) * diameter(region)) return {};
   return region;
 }
 
@@ -235,15 +236,15 @@ BeamSide side_of(std::vector<BeamPart> parts) {
   return side;
 }
 
-bool drop_averted(Beam& beam) {
+bool drop_averted(Beam& beam, double flat_m) {
   BeamSide &a = beam.a, &b = beam.b;
   for (int pass = 0; pass < 2; ++pass) {
     for (auto [side, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
       const std::size_t before = side->parts.size();
       std::erase_if(side->parts, [&](const BeamPart& part) {
-        return !any_in_front(other->box, part.plane()) ||
+        return !any_in_front(other->box, part.plane(), flat_m) ||
                std::none_of(other->parts.begin(), other->parts.end(), [&](const BeamPart& o) {
-                 return any_in_front(o.polygon(), part.plane());
+                 return any_in_front(o.polygon(), part.plane(), flat_m);
                });
       });
       if (side->parts.empty()) return false;
@@ -256,11 +257,11 @@ bool drop_averted(Beam& beam) {
     const BeamPart part = side->parts[0];
     const Plane& plane = other->parts[0].plane();
     if (std::all_of(part.polygon().begin(), part.polygon().end(),
-                    [&](const Vec3& p) { return plane.signed_distance(p) >= 0.0; })) {
+                    [&](const Vec3& p) { return plane.signed_distance(p) >= flat_m; })) {
       continue;
     }
     Polygon polygon = part.polygon();
-    clip_front(polygon, plane, 0.0);
+    clip_front(polygon, {plane.n, plane.d + flat_m}, 0.0);
     if (polygon.size() < 3) return false;
     *side = side_of({part.cut_to(std::move(polygon))});
   }
@@ -319,7 +320,7 @@ std::optional<BeamCrossing> crossing(const Beam& beam, const Plane& plane, doubl
       BeamCrossing found{
           last_stop, stop - 1,
           crossings(points_of(last_stop), points_of(stop), plane, last, tolerance_m)};
-      const double slack_m = 1e-3 * tolerance_m;
+      const double slack_m = rounding_m(tolerance_m);
       for (std::size_t i = 0; i < windows && !found.region.empty(); ++i) {
         if (i >= found.first && i < found.end) continue;
         found.region = clip_to(std::move(found.region),

@@ -59,8 +59,9 @@ struct Beam {
   std::vector<HalfSpaces> beyond, before;
 };
 
-/// Leaves of the sides only what has some of the other in front of it; false where nothing is left.
-bool drop_averted(Beam& beam);
+/// Leaves of the sides only what has some of the other more than `flat_m` in front of it; false
+/// where nothing is left.
+bool drop_averted(Beam& beam, double flat_m);
 
 /// Cuts windows and sides to what lines through the other windows reach, everything taken `slack_m`
 /// larger than it is; false where no line is left. Fills `beyond` and `before`.

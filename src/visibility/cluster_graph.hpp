@@ -36,8 +36,8 @@ class ClusterGraph {
 
 /// How much care a source's sequences get before a coarser answer that covers them is taken.
 struct VisibilityConfig {
-  int max_passes = 2;         ///< sequences followed one by one through the same doorway
-  bool prove_hidden = false;  ///< leave out what is proved hidden by what stands between: slower
+  int max_passes = 2;        ///< sequences followed one by one through the same doorway
+  bool prove_hidden = true;  ///< leave out what is proved hidden by what stands between
   OcclusionConfig occlusion;
 };
 

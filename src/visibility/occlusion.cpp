@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "visibility/facing.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -15,29 +17,47 @@ std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
   return polygons;
 }
 
-/// By position where there are several, else cut in the middle.
-std::array<std::vector<BeamPart>, 2> halves_of(const BeamSide& side) {
-  std::array<std::vector<BeamPart>, 2> halves;
-  const Vec3 e = side.box.extent();
-  const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
-  const double middle = side.box.center()[axis];
-  if (side.parts.size() > 1) {
-    for (const BeamPart& part : side.parts) {
-      halves[bounds(part.polygon()).center()[axis] > middle ? 1 : 0].push_back(part);
-    }
-    if (!halves[0].empty() && !halves[1].empty()) return halves;
-    halves = {};
-  }
-  Plane plane;
-  plane.n = Vec3(0.0);
-  plane.n[axis] = 1.0;
-  plane.d = middle;
+using Halves = std::array<std::vector<BeamPart>, 2>;
+
+/// What lies in front of the plane last. What lies in it is on the side that it looks to.
+Halves cut_along(const BeamSide& side, const Plane& plane, double flat_m) {
+  Halves halves;
   for (const BeamPart& part : side.parts) {
-    auto [front, behind] = split(part.polygon(), plane, 0.0);
-    if (front.size() >= 3) halves[1].push_back(part.cut_to(std::move(front)));
-    if (behind.size() >= 3) halves[0].push_back(part.cut_to(std::move(behind)));
+    double low = 0.0, high = 0.0;
+    for (const Vec3& p : part.polygon()) {
+      low = std::min(low, plane.signed_distance(p));
+      high = std::max(high, plane.signed_distance(p));
+    }
+    const double facing = glm::dot(part.plane().n, plane.n);
+    if (std::max(high, -low) <= flat_m && std::abs(facing) >= 0.5) {
+      halves[facing > 0.0 ? 1 : 0].push_back(part);
+    } else if (low >= 0.0 || high <= 0.0) {
+      halves[low >= 0.0 ? 1 : 0].push_back(part);
+    } else {
+      auto [front, behind] = split(part.polygon(), plane, 0.0);
+      if (front.size() >= 3) halves[1].push_back(part.cut_to(std::move(front)));
+      if (behind.size() >= 3) halves[0].push_back(part.cut_to(std::move(behind)));
+    }
   }
   return halves;
+}
+
+/// By position where there are several, else cut in the middle.
+Halves halves_of(const BeamSide& side) {
+  Plane plane;
+  const Vec3 e = side.box.extent();
+  const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+  plane.n = Vec3(0.0);
+  plane.n[axis] = 1.0;
+  plane.d = side.box.center()[axis];
+  if (side.parts.size() > 1) {
+    Halves halves;
+    for (const BeamPart& part : side.parts) {
+      halves[bounds(part.polygon()).center()[axis] > plane.d ? 1 : 0].push_back(part);
+    }
+    if (!halves[0].empty() && !halves[1].empty()) return halves;
+  }
+  return cut_along(side, plane, 0.0);
 }
 
 /// Larger by `margin_m` on all sides.
@@ -57,6 +77,20 @@ Polygon grown(const Polygon& polygon, const Vec3& n, double margin_m) {
     larger.push_back(polygon[i] + margin_m / both * (a + b));
   }
   return larger;
+}
+
+// Has the beam passed this plane before, with hardly less open then?
+bool is_known(const Beam& beam, const Plane& plane, const BeamCrossing& at, double open_m2,
+              double flat_m) {
+  constexpr double much = 0.9;
+  for (std::size_t i = at.first; i < at.end; ++i) {
+    const Polygon& window = beam.windows[i].polygon;
+    const bool flat = std::all_of(window.begin(), window.end(), [&](const Vec3& p) {
+      return std::abs(plane.signed_distance(p)) <= flat_m;
+    });
+    if (flat && open_m2 > much * area_m2(window)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -82,7 +116,7 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
 }
 
 Sight Occlusion::between(std::uint32_t a, std::uint32_t b, int max_parts) const {
-  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts};
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts, config_.max_planes};
   Beam beam;
   beam.a = side_of(clusters_[a]);
   beam.b = side_of(clusters_[b]);
@@ -104,7 +138,8 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   for (const Window& w : view.path) {
     beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }
-  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts};
+  Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts,
+              config_.window_planes};
   return settle(std::move(beam), proof, config_.window_rays) == Sight::hidden;
 }
 
@@ -160,6 +195,7 @@ Occlusion::Barrier Occlusion::best_barrier(const Beam& beam,
     if (open.size() > config_.max_pieces) continue;
     double share = 0.0;
     for (const Polygon& p : open) share += area_m2(p) / whole;
+    if (is_known(beam, planes_.plane(suspect.plane), *found, share * whole, tolerance_m_)) continue;
     if (share < best.open_share)
       best = {suspect.plane, found->first, found->end, share, std::move(open)};
     if (best.open_share < 1.0 && best.windows.empty()) break;
@@ -186,40 +222,55 @@ Beam Occlusion::through(const Beam& beam, const Barrier& barrier, const Polygon&
 }
 
 Sight Occlusion::settle(Beam beam, Proof& proof, int rays) const {
-  if (!drop_averted(beam) || !tighten(beam, 1e-3 * tolerance_m_)) return Sight::hidden;
+  const double flat_m = rounding_m(tolerance_m_);
+  if (!drop_averted(beam, flat_m) || !tighten(beam, flat_m)) return Sight::hidden;
   std::vector<Suspect> suspects;
   if (find_open_line(beam, proof, rays, suspects)) return Sight::open;
-  const std::size_t tried = std::min(suspects.size(), static_cast<std::size_t>(config_.max_planes));
+  const std::size_t tried = std::min(suspects.size(), static_cast<std::size_t>(proof.max_planes));
   const Barrier barrier = best_barrier(beam, std::span(suspects).first(tried));
   if (barrier.windows.empty() && barrier.open_share < 1.0) return Sight::hidden;
-  if (--proof.parts_left <= 0) return Sight::unknown;
-  if (barrier.open_share > config_.most_open) return take_apart(beam, proof);
+  if (--proof.parts_left <= 0 || proof.depth >= config_.max_depth) return Sight::unknown;
+  ++proof.depth;
   Sight sight = Sight::hidden;
-  for (const Polygon& window : barrier.windows) {
-    const Sight one = settle(through(beam, barrier, window), proof, config_.rays);
-    if (one == Sight::open) return one;
-    if (one == Sight::unknown) sight = one;
-    if (proof.parts_left <= 0) return Sight::unknown;
+  if (barrier.open_share > config_.most_open) {
+    sight = take_apart(beam, suspects, proof);
+  } else {
+    for (const Polygon& window : barrier.windows) {
+      sight = settle(through(beam, barrier, window), proof, config_.rays);
+      if (sight != Sight::hidden) break;
+    }
   }
+  --proof.depth;
   return sight;
 }
 
-// The longer side in the middle.
-Sight Occlusion::take_apart(const Beam& beam, Proof& proof) const {
+// A side that lies on both sides of what stops most rays is cut there: beyond it, it may be hidden
+// at once. Else the longer side is cut in the middle.
+Sight Occlusion::take_apart(const Beam& beam, std::span<const Suspect> suspects,
+                            Proof& proof) const {
+  for (const Suspect& suspect : suspects) {
+    for (const bool cut_a : {true, false}) {
+      Halves halves =
+          cut_along(cut_a ? beam.a : beam.b, planes_.plane(suspect.plane), 2.0 * tolerance_m_);
+      if (!halves[0].empty() && !halves[1].empty()) return settle(beam, cut_a, halves, proof);
+    }
+  }
   const bool cut_a = beam.a.box.diagonal() >= beam.b.box.diagonal();
   const BeamSide& side = cut_a ? beam.a : beam.b;
   if (side.box.diagonal() <= smallest_m_) return Sight::unknown;
-  Sight sight = Sight::hidden;
-  for (std::vector<BeamPart>& half : halves_of(side)) {
+  Halves halves = halves_of(side);
+  return settle(beam, cut_a, halves, proof);
+}
+
+Sight Occlusion::settle(const Beam& beam, bool cut_a, Halves& halves, Proof& proof) const {
+  for (std::vector<BeamPart>& half : halves) {
     if (half.empty()) continue;
     Beam part = beam;
     (cut_a ? part.a : part.b) = side_of(std::move(half));
-    const Sight one = settle(std::move(part), proof, config_.rays);
-    if (one == Sight::open) return one;
-    if (one == Sight::unknown) sight = one;
-    if (proof.parts_left <= 0) return Sight::unknown;
+    const Sight sight = settle(std::move(part), proof, config_.rays);
+    if (sight != Sight::hidden) return sight;  // one line more or less makes no difference
   }
-  return sight;
+  return Sight::hidden;
 }
 
 }  // namespace enfilade

@@ -2,6 +2,7 @@
 // open.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,16 +16,18 @@
 namespace enfilade {
 
 struct OcclusionConfig {
-  int first_rays = 12;             ///< that look for an open line before anything is proved
-  int rays = 6;                    ///< for each part of the pair after that
-  int max_parts = 12;              ///< a pair is taken apart into at most so many
-  std::size_t all_parts = 400000;  ///< ... and all pairs into so many: in a large building a pair
-                                   ///< gets fewer, or is not tried beyond the windows' proofs
-  int window_rays = 4;             ///< as first_rays, for a cluster and a portal
-  int window_parts = 4;            ///< as max_parts, for a cluster and a portal
-  int max_planes = 3;              ///< tried for each part, those that stop most rays first
-  double most_open = 0.6;          ///< of a plane; where more is open, the longer side is halved
-  std::size_t max_pieces = 8;      ///< more openings in a plane are not followed one by one
+  int first_rays = 8;               ///< that look for an open line before anything is proved
+  int rays = 5;                     ///< for each part of the pair after that
+  int max_parts = 64;               ///< a pair is taken apart into at most so many,
+  int max_depth = 12;               ///< one within the other at most so often
+  int min_parts = 8;                ///< where a pair would get fewer, none is tried,
+  std::size_t all_parts = 4000000;  ///< which in a large building is so: all pairs get so many
+  int window_rays = 4;              ///< as first_rays, for a cluster and a portal
+  int window_parts = 4;             ///< as max_parts, for a cluster and a portal
+  int window_planes = 2;            ///< as max_planes, for a cluster and a portal
+  int max_planes = 5;               ///< tried for each part, those that stop most rays first
+  double most_open = 0.8;           ///< of a plane; where more is open, a side is taken apart
+  std::size_t max_pieces = 8;       ///< more openings in a plane are not followed one by one
   std::uint64_t seed = 1;
 };
 
@@ -33,7 +36,8 @@ enum class Sight { open, hidden, unknown };
 /// Proves that no line joins two clusters. Rays say which planes stand between; all lines cross
 /// such a plane within the hull of the corner-to-corner crossings, and where polygons cover it, the
 /// pair is hidden. What is left open there is a window; the lines through it are a narrower beam,
-/// which the next plane may stop. What cannot be proved whole is taken apart. `hidden` is a proof,
+/// which the next plane may stop. What cannot be proved whole is taken apart, first along a plane
+/// that stops many rays and has a part of the pair on either side. `hidden` is a proof,
 /// to rounding; `open` a line that was found; `unknown` neither.
 class Occlusion {
  public:
@@ -58,7 +62,8 @@ class Occlusion {
   };
   struct Proof {
     Random random;
-    int parts_left;
+    int parts_left, max_planes;
+    int depth = 0;
   };
 
   Sight settle(Beam beam, Proof& proof, int rays) const;
@@ -66,7 +71,9 @@ class Occlusion {
                       std::vector<Suspect>& suspects) const;
   Barrier best_barrier(const Beam& beam, std::span<const Suspect> suspects) const;
   Beam through(const Beam& beam, const Barrier& barrier, const Polygon& window) const;
-  Sight take_apart(const Beam& beam, Proof& proof) const;
+  Sight take_apart(const Beam& beam, std::span<const Suspect> suspects, Proof& proof) const;
+  Sight settle(const Beam& beam, bool cut_a, std::array<std::vector<BeamPart>, 2>& halves,
+               Proof& proof) const;
 
   OcclusionConfig config_;
   double tolerance_m_;

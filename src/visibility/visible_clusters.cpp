@@ -13,7 +13,7 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double portals_share = 0.5;  // of the time, about
+constexpr double portals_share = 0.3;  // of the time, about
 
 class ClusterVisibility {
  public:
@@ -60,18 +60,26 @@ class ClusterVisibility {
   };
 
   // Both directions are conservative by themselves, so what only one of them sees is not there.
-  static void keep_mutual(std::vector<Pair>& seen, std::vector<Pair>& result) {
+  void keep_mutual(std::vector<Pair>& seen, std::vector<Pair>& result) const {
     std::sort(seen.begin(), seen.end());
     for (const auto& [a, b] : seen) {
-      if (a < b && std::binary_search(seen.begin(), seen.end(), Pair(b, a)))
+      if (a < b && std::binary_search(seen.begin(), seen.end(), Pair(b, a)) &&
+          face_each_other(parts_[a][0], parts_[b][0])) {
         result.emplace_back(a, b);
+      }
     }
+  }
+
+  // The first part has all of a cluster's polygons.
+  bool face_each_other(const CellPart& a, const CellPart& b) const {
+    return enfilade::face_each_other(a.polygons, a.box, b.polygons, b.box,
+                                     rounding_m(doorways_.slack_m()));
   }
 
   void look_around(std::uint32_t i, const CellPart& part, std::vector<Pair>& result) const {
     for (const Member& m : in_cell_[part.cell.index()]) {
       const CellPart& other = parts_[m.cluster][m.part];
-      if (m.cluster > i && face_each_other(part.polygons, part.box, other.polygons, other.box)) {
+      if (m.cluster > i && face_each_other(part, other)) {
         result.emplace_back(i, m.cluster);
       }
     }
@@ -95,7 +103,7 @@ class ClusterVisibility {
     const double slack_m = doorways_.slack_m();
     if (outside(part.box, view.within, slack_m)) return false;
     return std::any_of(part.polygons.begin(), part.polygons.end(), [&](const SourcePolygon& q) {
-      return any_in_front(view.window, {q.plane.n, q.plane.d - slack_m}) &&
+      return any_in_front(view.window, q.plane, -slack_m) &&
              !outside(q.polygon, view.within, slack_m);
     });
   }
@@ -112,9 +120,9 @@ class ClusterVisibility {
 void drop_hidden(std::vector<Pair>& pairs, const Occlusion& occlusion,
                  const OcclusionConfig& config, const Progress& progress) {
   const std::size_t share = config.all_parts / std::max<std::size_t>(pairs.size(), 1);
+  if (share < static_cast<std::size_t>(config.min_parts)) return;
   const int parts = static_cast<int>(
       std::min<std::size_t>(share, static_cast<std::size_t>(std::max(config.max_parts, 0))));
-  if (parts == 0) return;
   std::size_t done = 0;
   std::erase_if(pairs, [&](const Pair& pair) {
     if (done++ % 1024 == 0) {

@@ -62,8 +62,10 @@ def solve(options, run, environment):
     while kills < options.kills:
         running = subprocess.Popen(command + ["--resume"] * (kills > 0), env=environment,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while running.poll() is None and not ranks_of(running):
+            time.sleep(0.02)  # mpirun takes its time on a busy machine
         time.sleep(moments.uniform(0.1, 1.5))
-        ranks = subprocess.run(["pgrep", "-P", str(running.pid), "enfilade"], capture_output=True, text=True).stdout.split()
+        ranks = ranks_of(running)
         if ranks:
             with contextlib.suppress(ProcessLookupError):  # it has just ended by itself
                 os.kill(int(moments.choice(ranks)), signal.SIGKILL)
@@ -73,6 +75,10 @@ def solve(options, run, environment):
             shutil.rmtree(run)
             subprocess.run(command + ["--max-iterations", "1"], check=True, env=environment)
     subprocess.run(command + ["--resume"] * (kills > 0), check=True, env=environment)
+
+
+def ranks_of(running):
+    return subprocess.run(["pgrep", "-P", str(running.pid), "enfilade"], capture_output=True, text=True).stdout.split()
 
 
 def judge(options, want, got, stats):

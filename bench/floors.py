@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+"""floors.py ENFILADE -o FILE.csv --chart FILE.png: how the time and memory of 'prepare' grow with a building.
+
+Makes the building of the preset with more and more storeys, prepares it, and fits time and memory to powers of the
+surfaces. Seconds are of user time; memory is the largest resident set."""
+import argparse
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("enfilade")
+    parser.add_argument("--preset", default="rr3425")
+    parser.add_argument("--floors", type=lambda text: [int(n) for n in text.split(",")], default=[1, 3, 10],
+                        help="storeys, rising (1,3,10)")
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    parser.add_argument("--chart", type=Path)
+    options = parser.parse_args()
+    rows = []
+    with tempfile.TemporaryDirectory() as work:
+        for floors in options.floors:
+            rows.append(measure(options, Path(work), floors))
+            print(rows[-1], flush=True)
+    with options.output.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+    for column in ("user_s", "memory_mib"):
+        print(f"{column} grows with surfaces to the power of {exponent(rows, column):.3f}")
+    if options.chart:
+        draw(rows, options.chart)
+    return 0
+
+
+def measure(options, work, floors):
+    scene, run = work / f"{floors}.json", work / f"{floors}"
+    subprocess.run([options.enfilade, "generate", "--preset", options.preset, "--floors", str(floors), "-o", scene],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen([options.enfilade, "prepare", scene, "-o", run, "--no-pictures"], stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True)
+    table = dict(line.strip().rsplit("  ", 1) for line in process.stdout if "  " in line.strip())
+    _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        sys.exit(f"floors.py: prepare of {floors} storeys failed")
+    counts = {name: int(table[key].replace(",", "")) for name, key in
+              (("surfaces", "surfaces"), ("cells", "cells"), ("clusters", "clusters"), ("pairs", "visible pairs"))
+              for key in [next(k for k in table if k.strip() == key)]}
+    return {"floors": floors, **counts, "user_s": round(usage.ru_utime, 2), "memory_mib": round(usage.ru_maxrss / 1024, 1)}
+
+
+def exponent(rows, column):
+    """Least squares of the logarithms."""
+    x = [math.log(row["surfaces"]) for row in rows]
+    y = [math.log(row[column]) for row in rows]
+    mx, my = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
+
+
+def draw(rows, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(6, 4))
+    surfaces = [row["surfaces"] for row in rows]
+    for column, label in (("user_s", "user seconds"), ("memory_mib", "MiB")):
+        axes.loglog(surfaces, [row[column] for row in rows], "o-",
+                    label=f"{label}: surfaces to the power of {exponent(rows, column):.2f}")
+    axes.set_xlabel("surfaces")
+    axes.set_title("prepare, by storeys of one building")
+    axes.grid(True, which="both", alpha=0.3)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
