@@ -20,8 +20,8 @@ struct OcclusionConfig {
   int rays = 5;                     ///< for each part of the pair after that
   int max_parts = 64;               ///< a pair is taken apart into at most so many,
   int max_depth = 12;               ///< one within the other at most so often
-  int min_parts = 8;                ///< where a pair would get fewer, none is tried,
-  std::size_t all_parts = 4000000;  ///< which in a large building is so: all pairs get so many
+  int min_parts = 8;                ///< where a pair's share is less, no pair is tried
+  std::size_t all_parts = 4000000;  ///< that all pairs share: a large building's windows must do
   int window_rays = 4;              ///< as first_rays, for a cluster and a portal
   int window_parts = 4;             ///< as max_parts, for a cluster and a portal
   int window_planes = 2;            ///< as max_planes, for a cluster and a portal
