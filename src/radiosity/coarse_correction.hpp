@@ -29,7 +29,9 @@ struct CoarseRow {
     std::vector<double> flow;  ///< per band: power that came from what the shooter reflects
   };
   std::vector<double> before, after;  ///< per band: power that arrives, last gather and this one
-  std::vector<Entry> entries;         ///< by ascending shooter
+  /// Per band, what of the power after is absorbed, and what of it leaves for good once reflected.
+  std::vector<double> absorbed, escaping;
+  std::vector<Entry> entries;  ///< by ascending shooter
 };
 
 /// group[cluster] = its unknown. Clusters are unknowns themselves up to `most`; beyond, those of a
@@ -48,6 +50,13 @@ class CoarseSystem {
   std::vector<double> solve() const;
   /// Sum over groups of |change| in power, worst band: what is still missing.
   double power(std::span<const double> changes) const;
+  /// Per band: what the changes add to the power that is absorbed, and to that which escapes.
+  std::vector<double> absorbed(std::span<const double> changes) const {
+    return sum(absorbed_, changes);
+  }
+  std::vector<double> escaping(std::span<const double> changes) const {
+    return sum(escaping_, changes);
+  }
 
   /// As numbers, for a message.
   std::vector<double> to_numbers() const;
@@ -60,9 +69,11 @@ class CoarseSystem {
   };
   Coupling& coupling(std::size_t row, std::uint32_t column);
   std::vector<double> solve_band(std::size_t band) const;
+  std::vector<double> sum(std::span<const double> power, std::span<const double> changes) const;
 
   std::size_t groups_, bands_;
-  std::vector<double> before_, after_;       // power, [group * bands + band]
+  // Power, [group * bands + band].
+  std::vector<double> before_, after_, absorbed_, escaping_;
   std::vector<std::vector<Coupling>> rows_;  // by ascending column
 };
 
