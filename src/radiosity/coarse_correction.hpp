@@ -4,7 +4,8 @@
 //
 // Iterative aggregation (Takahashi 1975; Schweitzer 1991): the light of each group's polygons keeps
 // its proportions and is scaled by one factor z, such that every group's balance holds (over a
-// polygon what is added is spread evenly: light of many reflections is smooth): with P the power
+// polygon what is added is spread as evenly as its dark parts allow: light of many reflections is
+// smooth): with P the power
 // that arrives at a group and f_cd what of it comes from group d by reflection,
 //   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d,   f' = f, times P_new / P_old of the shooting
 // group where its light was read as it was before this iteration's gather. A group in the dark
