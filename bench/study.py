@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COLUMNS = ("iterations converged estimated_error patches links rays steals steal_requests messages message_bytes "
            "bytes_read bytes_written peak_cluster_bytes over_budget_bytes simulated_s").split()
-COMMON_KEYS = "scene solve run replay platform cost_model options smpirun hosts".split()
+COMMON_KEYS = "scene prepare solve run replay platform cost_model options smpirun hosts".split()
 
 
 class StudyError(Exception):
@@ -63,14 +63,25 @@ def scene_file(case: dict, out: Path, programs: Path) -> Path:
     return path
 
 
+def prepare(case: dict, out: Path, programs: Path, directory: Path) -> None:
+    """Makes `directory` a run that is prepared and not solved yet."""
+    prepared = out / f"prepared-{digest([case['scene'], case.get('prepare', [])])}"
+    if not (prepared / "graph.txt").exists():
+        run([programs / "enfilade", "prepare", scene_file(case, out, programs), "-o", prepared, "--no-pictures",
+             *case.get("prepare", [])], out / "prepare.log")
+    shutil.rmtree(directory, ignore_errors=True)
+    shutil.copytree(prepared, directory)
+
+
 def recorded_run(case: dict, out: Path, programs: Path) -> Path:
     """The run that is replayed: solved once, on one rank."""
     if "run" in case:
         return Path(case["run"]).resolve()
-    directory = out / f"run-{digest([case['scene'], case['solve']])}"
+    directory = out / f"run-{digest([case['scene'], case.get('prepare', []), case['solve']])}"
     if not (directory / "stats.json").exists():
-        run([programs / "enfilade", "solve", scene_file(case, out, programs), "-o", directory, "--no-pictures",
-             *case["solve"]], out / "solve.log")
+        prepare(case, out, programs, directory)
+        run([programs / "enfilade", "solve", directory, "-o", directory, "--no-pictures", *case["solve"]],
+            out / "solve.log")
     return directory
 
 
@@ -114,18 +125,21 @@ def run_case(case: dict, recorded: Path | None, out: Path, programs: Path) -> di
     if not isinstance(model, str):
         (directory / "cost.json").write_text(json.dumps(model, indent=1))
         model = directory / "cost.json"
-    source = ["--replay", recorded] if recorded else [scene_file(case, out, programs), "--no-pictures", *case["solve"]]
+    target = directory / "RUN"
+    source = ["--replay", recorded] if recorded else [target, "--no-pictures", *case["solve"]]
     command = ["smpirun", "-np", ranks, "-platform", platform, "-hostfile", directory / "hosts",
-               *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", directory / "RUN",
+               *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", target,
                "--cost-model", ROOT / model, "--quiet", *case.get("options", [])]
     files = "".join(Path(f).read_text() for f in (platform, directory / "hosts", ROOT / model))
     key = hashlib.sha256((" ".join(map(str, command)) + files).encode()).hexdigest()
-    mark, stats = directory / "done", directory / "RUN/stats.json"
+    mark, stats = directory / "done", target / "stats.json"
     if not (stats.exists() and mark.exists() and mark.read_text() == key):
-        shutil.rmtree(directory / "RUN", ignore_errors=True)
+        shutil.rmtree(target, ignore_errors=True)
+        if not recorded:
+            prepare(case, out, programs, target)
         run(command, directory / "log")
         mark.write_text(key)
-    history = json.loads((directory / "RUN/history.json").read_text())
+    history = json.loads((target / "history.json").read_text())
     return json.loads(stats.read_text()) | {"time_s": [iteration["time_s"] for iteration in history]}
 
 
