@@ -161,9 +161,9 @@ def cases_of(study: dict) -> list[dict]:
 
 def run_study(study: dict, out: Path, programs: Path, only: str = "") -> list[dict]:
     rows = []
-    for case in cases_of(study):
-        if only not in case["name"]:
-            continue
+    cases = cases_of(study)
+    named = [case for case in cases if case["name"] == only]
+    for case in named or [case for case in cases if only in case["name"]]:
         recorded = recorded_run(case, out, programs) if case.get("replay", True) else None
         rows.append(row_of(case, run_case(case, recorded, out, programs)))
         print(f"{case['name']:40} {rows[-1]['simulated_s'] / 60:12.1f} min", flush=True)
@@ -182,7 +182,7 @@ def main() -> int:
     parser.add_argument("study")
     parser.add_argument("-o", "--out", type=Path, help="default: out/NAME")
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
-    parser.add_argument("--case", default="", help="only cases with this in their name")
+    parser.add_argument("--case", default="", help="only the case of this name, or those with this in it")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=JSON", help="another value for a key")
     arguments = parser.parse_args()
     try:
