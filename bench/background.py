@@ -28,17 +28,24 @@ def free_compute(rows: list[tuple[float, float]], paper: list[float]) -> float:
     return min((t - io) / moving for (moving, io), t in zip(rows, paper) if minutes_at((moving, io), 1.0) > 0.0)
 
 
-def infer(case: dict, model: dict, minutes: float, recorded: Path, out: Path, programs: Path) -> tuple[float, float]:
-    """The share that others take, and the row's minutes with it: to 1%, in at most eight replays. More load takes
-    longer, so that the share lies between those that were too little and too much."""
-    low, high, share, found = 0.0, MOST, 0.0, 0.0
+def guess(moving: float, io: float, minutes: float, share: float) -> float:
+    """A share that makes minutes of these parts, seen at `share`: what a rank waits for the disk is as 1 / (1 - share)
+    as long as others are what it waits for."""
+    return 1.0 - (1.0 - share) * io / max(1e-9, minutes - moving)
+
+
+def infer(case: dict, model: dict, minutes: float, alone: tuple[float, float], recorded: Path, out: Path,
+          programs: Path) -> tuple[float, float]:
+    """The share that others take, and the row's minutes with it: to 1%, in at most eight replays. `alone`: the parts
+    without others. More load takes longer, so that the share lies between those that were too little and too much."""
+    low, high, share = 0.0, MOST, min(MOST, max(0.0, guess(*alone, minutes, 0.0)))
+    found = 0.0
     for _ in range(8):
         moving, io = parts(run_case(loaded(case, share, model), recorded, out, programs))
         found = moving + io
         if abs(found / minutes - 1.0) < 0.01 or (share == 0.0 and found > minutes):
             break
         low, high = (share, high) if found < minutes else (low, share)
-        # All that a rank waits for the disk is as 1 / (1 - share), as long as others are what it waits for.
-        guess = 1.0 - (1.0 - share) * io / max(1e-9, minutes - moving)
-        share = guess if low < guess < high else 0.5 * (low + high)
+        better = guess(moving, io, minutes, share)
+        share = better if low < better < high else 0.5 * (low + high)
     return share, found

@@ -3,8 +3,8 @@
 
 Finds the three calibrated numbers of platforms/irisa_1998.cost.json by replays of the rows of Table 2: one of each row
 for each pair of `shared` and `request_s`, from which its minutes at any near `compute` follow. Writes the cost model
-with its provenance, and prints the errors of all rows as fitted, of each row when the other six alone are fitted, and
-of the rows when they are replayed with what was found."""
+with its provenance, and prints the errors of all rows and of each row when the other six alone are fitted. These are
+of the fit; bench/table2.py replays the rows with what was found."""
 import argparse
 import json
 import sys
@@ -36,7 +36,7 @@ def provenance(study: dict, recorded: Path, point: tuple, errors: list[float]) -
     run = json.loads((recorded / "stats.json").read_text())
     return (f"written by bench/calibrate.py from {study['name']}; recorded run: revision {run.get('revision')}, "
             f"{run['patches']} patches, {run['links']} links, {run['iterations']} iterations; compute {point[0]:.4g}, "
-            f"shared {point[1]:g}, request_s {point[2]:g}; errors "
+            f"shared {point[1]:g}, request_s {point[2]:g}; errors of the fit "
             + " ".join(f"{100 * e:+.1f}%" for e in errors))
 
 
@@ -62,20 +62,17 @@ def main() -> int:
                   for shared in arguments.shared for request in arguments.request}
         (shared, request), compute, errors = fit(tables, paper)
         point = (float(f"{compute:.4g}"), shared, request)
-        found = [minutes_at(row, 1.0) / t - 1.0
-                 for row, t in zip(replay_all(study, recorded, work, programs, point), paper)]
     except (StudyError, OSError) as error:
         print(f"calibrate.py: {error}", file=sys.stderr)
         return 1
-    print(f"best: compute {point[0]:g}, shared {shared:g}, request {request:g} s; mean {100 * mean_error(found):.1f}%, "
-          f"worst {100 * worst_error(found):.1f}%")
+    print(f"best: compute {point[0]:g}, shared {shared:g}, request {request:g} s; mean {100 * mean_error(errors):.1f}%, "
+          f"worst {100 * worst_error(errors):.1f}%")
     for row, case in enumerate(study["cases"]):
         _, _, without = fit(tables, paper, leave_out=row)
-        print(f"  {case['name']:36} fitted {100 * errors[row]:+6.1f}%   left out {100 * without[row]:+6.1f}%"
-              f"   replayed {100 * found[row]:+6.1f}%")
+        print(f"  {case['name']:36} {100 * errors[row]:+6.1f}%   left out {100 * without[row]:+6.1f}%")
     mesh = json.loads((recorded / "stats.json").read_text())
     model = cost_model(ROOT / "platforms/cost_model.json", mesh, *point)
-    model["records"]["comment"] = provenance(study, recorded, point, found)
+    model["records"]["comment"] = provenance(study, recorded, point, errors)
     arguments.out.write_text(json.dumps(model, indent=2) + "\n")
     return 0
 

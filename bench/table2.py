@@ -28,10 +28,11 @@ def capacities(study: dict) -> list[float]:
 def with_others(study: dict, rows: list[dict], replays: list[dict], recorded: Path, out: Path, programs: Path) -> None:
     """Adds what others took to the rows."""
     paper = [row["paper_minutes"] for row in rows]
-    ratio = free_compute([parts(stats) for stats in replays], paper)
+    alone = [parts(stats) for stats in replays]
+    ratio = free_compute(alone, paper)
     model = scaled(json.loads((ROOT / study["cost_model"]).read_text()), ratio)
-    for row, case, minutes in zip(rows, cases_of(study), paper):
-        share, found = infer(case, model, minutes, recorded, out / "others", programs)
+    for row, case, minutes, (moving, io) in zip(rows, cases_of(study), paper, alone):
+        share, found = infer(case, model, minutes, (ratio * moving, io), recorded, out / "others", programs)
         row |= {"others_compute": ratio, "others_share": share, "others_minutes": found,
                 "others_error": found / minutes - 1.0}
         print(f"{row['case']:36} others take {100 * share:5.1f}%: {found:7.0f} min", flush=True)
