@@ -18,9 +18,25 @@ void add_contact(Contact& to, const Contact& contact) {
   to.framed += contact.framed;
 }
 
+/// Of both together: m2 and m3 alone.
+void join_measures(LeafGroup& to, const LeafGroup& from, std::uint32_t from_number) {
+  double common = 0.0;
+  const auto at = to.contacts.find(from_number);
+  if (at != to.contacts.end()) {
+    for (const auto& [side, contact] : at->second) common += contact.area;
+  }
+  if (to.own_boundary >= 0.0 || from.own_boundary >= 0.0) {
+    to.own_boundary = std::max(0.0, to.boundary() + from.boundary() - 2.0 * common);
+  }
+  to.volume += from.volume;
+  to.front += from.front;
+  to.back += from.back;
+}
+
 }  // namespace
 
 double LeafGroup::boundary() const {
+  if (own_boundary >= 0.0) return own_boundary;
   double sum = 0.0;
   for (const auto& [side, area] : faces) sum += area;
   return sum;
@@ -80,16 +96,27 @@ void LeafGraph::join(std::uint32_t g, std::uint32_t h) {
   if (h == outside) std::swap(g, h);
   // Contacts are moved from the smaller map, so that a big group stays cheap to add to.
   if (g != outside && groups_[h].contacts.size() > groups_[g].contacts.size()) std::swap(g, h);
-  join_into(g, h);
+  LeafGroup& to = groups_[g];
+  LeafGroup& from = groups_[h];
+  const bool takes_solid = from.is_solid() && !to.is_solid();
+  const bool is_taken = to.is_solid() && !from.is_solid() && g != outside;
+  if (takes_solid) {
+    to.own_boundary = to.boundary();
+  } else if (is_taken) {
+    to.own_boundary = from.boundary();
+    to.volume = from.volume;
+    to.front = from.front;
+    to.back = from.back;
+  } else {
+    join_measures(to, from, h);
+  }
+  join_contacts(g, h);
   parent_[h] = g;
 }
 
-void LeafGraph::join_into(std::uint32_t g, std::uint32_t h) {
+void LeafGraph::join_contacts(std::uint32_t g, std::uint32_t h) {
   LeafGroup& to = groups_[g];
   LeafGroup& from = groups_[h];
-  to.volume += from.volume;
-  to.front += from.front;
-  to.back += from.back;
   for (const auto& [side, area] : from.faces) to.faces[side] += area;
   for (const auto& [side, contact] : from.contacts[g]) {
     lower(to.faces, side, contact.area);

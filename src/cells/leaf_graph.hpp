@@ -24,6 +24,8 @@ struct LeafGroup {
   double volume = 0.0, front = 0.0, back = 0.0;  ///< m3; m2 of fronts and backs that it is shown
   std::map<PlaneSide, double> faces;             ///< m2
   std::map<std::uint32_t, std::map<PlaneSide, Contact>> contacts;  ///< by other group
+  double own_boundary =
+      -1.0;  ///< m2, less the solids that it has taken in; negative: there are none
 
   /// Real models show a room a wrong side here and there; the inside of a solid shows hardly
   /// anything else.
@@ -47,12 +49,13 @@ class LeafGraph {
   /// The group that i has become part of.
   std::uint32_t find(std::uint32_t i) const;
   bool alive(std::uint32_t i) const { return parent_[i] == i; }
-  /// One of two groups becomes part of the other; the outside stays the outside.
+  /// One of two groups becomes part of the other; the outside stays the outside. A solid that joins
+  /// what is none leaves it what it is: all walls and floors of a building may leak into one room.
   void join(std::uint32_t g, std::uint32_t h);
 
  private:
   void add(const LeafInterface& face);
-  void join_into(std::uint32_t g, std::uint32_t h);
+  void join_contacts(std::uint32_t g, std::uint32_t h);
 
   std::vector<LeafGroup> groups_;
   std::vector<std::uint32_t> parent_;

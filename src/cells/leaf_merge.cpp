@@ -27,7 +27,11 @@ class Merger {
  public:
   Merger(std::span<const double> volume, std::span<const char> touches_outside,
          std::span<const LeafInterface> interfaces, const MergeConfig& config)
-      : config_(config), graph_(volume, interfaces) {
+      : config_(config),
+        graph_(volume, interfaces),
+        stale_(graph_.size(), 1),
+        thin_(graph_.size(), 0),
+        room_candidates_of_(graph_.size()) {
     for (std::uint32_t i = 0; i < touches_outside.size(); ++i) {
       if (touches_outside[i]) graph_.join(outside_group, i + 1);
     }
@@ -44,7 +48,7 @@ class Merger {
       while (round(&Merger::outside_candidates)) {
       }
     }
-    while (round(&Merger::leaking_solids)) {
+    while (leaking_solids()) {
     }
     while (round(&Merger::enclosed_solids)) {
     }
@@ -110,32 +114,41 @@ class Merger {
     return is_nook ? mean : 0.0;
   }
 
+  // A group's candidates hang on it and its neighbours alone: only where one of them has changed
+  // they are looked for anew.
   void room_candidates(std::vector<Candidate>& out) const {
-    std::vector<char> thin(graph_.size(), 0);
     for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-      thin[i] = graph_.alive(i) && is_connector(graph_[i]);
+      if (stale_[i]) thin_[i] = graph_.alive(i) && is_connector(graph_[i]);
     }
     for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-      if (!graph_.alive(i)) continue;
-      for (const auto& [j, sides] : graph_[i].contacts) {
-        if (j <= i || thin[i] != thin[j] || disagree(graph_[i], graph_[j])) continue;
-        const double s = score(i, j);
-        if (s > 0.0) out.push_back({s, i, j});
+      std::vector<Candidate>& own = room_candidates_of_[i];
+      if (stale_[i]) {
+        own.clear();
+        if (graph_.alive(i)) room_candidates_of(i, own);
+        stale_[i] = 0;
       }
-      if (thin[i]) through_connector(i, thin, out);
+      out.insert(out.end(), own.begin(), own.end());
     }
   }
 
+  void room_candidates_of(std::uint32_t i, std::vector<Candidate>& out) const {
+    for (const auto& [j, sides] : graph_[i].contacts) {
+      if (j <= i || thin_[i] != thin_[j] || disagree(graph_[i], graph_[j])) continue;
+      const double s = score(i, j);
+      if (s > 0.0) out.push_back({s, i, j});
+    }
+    if (thin_[i]) through_connector(i, out);
+  }
+
   // Two groups on both sides of a thin one are judged as if it were not there.
-  void through_connector(std::uint32_t c, const std::vector<char>& thin,
-                         std::vector<Candidate>& out) const {
+  void through_connector(std::uint32_t c, std::vector<Candidate>& out) const {
     struct Side {
       std::uint32_t group;
       double open, framed, face;
     };
     std::vector<Side> sides;
     for (const auto& [other, contacts] : graph_[c].contacts) {
-      if (other == outside_group || thin[other] || disagree(graph_[other], graph_[c])) continue;
+      if (other == outside_group || thin_[other] || disagree(graph_[other], graph_[c])) continue;
       Side side{other, 0.0, 0.0, 0.0};
       for (const auto& [plane_side, contact] : contacts) {
         if (contact.open <= 0.0) continue;
@@ -193,16 +206,23 @@ class Merger {
 
   // A solid that is not tight is part of what it leaks to: no room is seen through a wall's cracks
   // then but through the other side's, and no portal leads into a wall.
-  void leaking_solids(std::vector<Candidate>& out) const {
+  bool leaking_solids() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> leaks;
     for (std::uint32_t i = 1; i < graph_.size(); ++i) {
       if (!graph_.alive(i) || !graph_[i].is_solid()) continue;
-      Candidate best;
+      double most = 0.0;
+      std::uint32_t into = i;
       for (const auto& [j, sides] : graph_[i].contacts) {
         const double open = graph_[i].open_to(j);
-        if (open > best.score * (1.0 + 1e-6)) best = {open, std::min(i, j), std::max(i, j)};
+        if (open > most * (1.0 + 1e-6)) {
+          most = open;
+          into = j;
+        }
       }
-      if (best.score > 0.0) out.push_back(best);
+      if (into != i) leaks.emplace_back(i, into);
     }
+    for (const auto& [i, into] : leaks) graph_.join(graph_.find(into), graph_.find(i));
+    return !leaks.empty();
   }
 
   // Furniture stands in one room: a solid that has most of its boundary there is part of it. A wall
@@ -256,6 +276,12 @@ class Merger {
     }
   }
 
+  void join(std::uint32_t g, std::uint32_t h) {
+    graph_.join(g, h);
+    stale_[g] = stale_[h] = 1;
+    for (const auto& [other, sides] : graph_[graph_.find(g)].contacts) stale_[other] = 1;
+  }
+
   // One round: the best candidates first, each group in at most one. False when there was none.
   bool round(void (Merger::*find_candidates)(std::vector<Candidate>&) const) {
     std::vector<Candidate> candidates;
@@ -269,14 +295,16 @@ class Merger {
       touched[c.b] = 1;
       if (has_via) touched[c.via] = 1;
       if (c.a == outside_group && is_like_a_room(graph_[c.b])) lost_.push_back(c.b - 1);
-      graph_.join(c.a, c.b);
-      if (has_via) graph_.join(graph_.find(c.a), c.via);
+      join(c.a, c.b);
+      if (has_via) join(graph_.find(c.a), c.via);
     }
     return !candidates.empty();
   }
 
   MergeConfig config_;
   LeafGraph graph_;
+  mutable std::vector<char> stale_, thin_;  ///< by group
+  mutable std::vector<std::vector<Candidate>> room_candidates_of_;
   double typical_m3_ = 0.0;  ///< before anything becomes outside
   std::vector<std::uint32_t> lost_;
 };

@@ -22,8 +22,7 @@ class CellClusters {
       polygons_.push_back(&piece->piece.polygon);
       box_.add(bounds(piece->piece.polygon));
     }
-    const Vec3 e = box_.extent();
-    max_extent_m_ = config.max_extent_share * std::max({e.x, e.y, e.z});
+    max_extent_m_ = config.max_extent_share * box_.diagonal();
   }
 
   std::vector<Cluster> build() {
@@ -45,8 +44,11 @@ class CellClusters {
     return scene_.surfaces[pieces_[i]->piece.surface.index()].object;
   }
 
+  // What fits into one cluster is one, however long: an object is seen as a whole. What is larger
+  // is no object but a mesh; its parts are as local as they are small.
   void add_split(const Group& group, std::size_t max_size) {
-    for (Group& part : split_by_position(polygons_, group, max_size, max_extent_m_)) {
+    const double max_extent_m = group.size() > max_size ? max_extent_m_ : 0.0;
+    for (Group& part : split_by_position(polygons_, group, max_size, max_extent_m)) {
       std::sort(part.begin(), part.end());
       groups_.push_back(std::move(part));
     }
