@@ -159,11 +159,16 @@ def cases_of(study: dict) -> list[dict]:
             for case in study["cases"]]
 
 
-def run_study(study: dict, out: Path, programs: Path, only: str = "") -> list[dict]:
+def chosen(cases: list[dict], only: list[str]) -> list[dict]:
+    """Those that have one of these names, or where none has it, this text in their name."""
+    names = [case["name"] for case in cases]
+    return [case for case in cases
+            if not only or any(text == case["name"] or (text not in names and text in case["name"]) for text in only)]
+
+
+def run_study(study: dict, out: Path, programs: Path, only: list[str]) -> list[dict]:
     rows = []
-    cases = cases_of(study)
-    named = [case for case in cases if case["name"] == only]
-    for case in named or [case for case in cases if only in case["name"]]:
+    for case in chosen(cases_of(study), only):
         recorded = recorded_run(case, out, programs) if case.get("replay", True) else None
         rows.append(row_of(case, run_case(case, recorded, out, programs)))
         print(f"{case['name']:40} {rows[-1]['simulated_s'] / 60:12.1f} min", flush=True)
@@ -182,7 +187,7 @@ def main() -> int:
     parser.add_argument("study")
     parser.add_argument("-o", "--out", type=Path, help="default: out/NAME")
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
-    parser.add_argument("--case", default="", help="only the case of this name, or those with this in it")
+    parser.add_argument("--case", action="append", default=[], help="only the case of this name, or those with this in it")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=JSON", help="another value for a key")
     arguments = parser.parse_args()
     try:
@@ -190,7 +195,7 @@ def main() -> int:
         out = (arguments.out or ROOT / "out" / study["name"]).resolve()
         rows = run_study(study, out, arguments.build.resolve() / "bin", arguments.case)
         if not rows:
-            raise StudyError(f"no case has '{arguments.case}' in its name")
+            raise StudyError(f"no case has {' or '.join(map(repr, arguments.case))} in its name")
         write_rows(rows, out / f"{study['name']}.csv")
     except (StudyError, OSError, json.JSONDecodeError) as error:
         print(f"study.py: {error}", file=sys.stderr)

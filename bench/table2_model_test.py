@@ -6,7 +6,7 @@ import unittest
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from study import ROOT, StudyError, edited_platform
+from study import ROOT, StudyError, chosen, edited_platform
 from table2_model import fit, host_speeds, least_error_of_growing_work, mean_error, null_model
 
 
@@ -55,6 +55,16 @@ class GrowingWork(unittest.TestCase):
         self.assertAlmostEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0, 1]], 0.15),
                                (0.15 + 0.5 / 8.0) / 2.0)
         self.assertEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0, 1]], 0.1), math.inf)
+
+
+class Chosen(unittest.TestCase):
+    CASES = [{"name": name} for name in ("4 SUN1", "4 SUN1 + 1 SUN2", "1 SGI3")]
+
+    def test_a_name_is_not_taken_for_a_part_of_others(self):
+        self.assertEqual(chosen(self.CASES, ["4 SUN1"]), self.CASES[:1])
+        self.assertEqual(chosen(self.CASES, ["SUN"]), self.CASES[:2])
+        self.assertEqual(chosen(self.CASES, ["4 SUN1", "SGI"]), [self.CASES[0], self.CASES[2]])
+        self.assertEqual(chosen(self.CASES, []), self.CASES)
 
 
 class Edits(unittest.TestCase):
