@@ -30,7 +30,7 @@ for scene in "$@"; do check "$scene"; done
 windows=(open closed none)
 for k in 1 2 3 4 5 6 7 8 9 10; do
   scene=$work/odd$k.json
-  "$build/bin/enfilade" generate --wings "$((2 + k % 3)),$((6 + k % 4)):$((17 * k - 80)),$((2 + k % 2))" --floors $((1 + k % 3)) \
+  "$build/bin/enfilade" generate --wings "$((2 + k % 3)),$((6 + k % 4)):$((14 * k - 73)).7,$((2 + k % 2))" --floors $((1 + k % 3)) \
     --stairs $((k % 2 + 1)) --fire-doors $((k % 3)) --windows "${windows[$((k % 3))]}" --rotate "$((7 * k)).3" --seed "$k" \
     --furniture lamp=12,desk=8,chair=8,shelf=6,cupboard=4,table=2 -o "$scene" > /dev/null
   check "$scene"

@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COLUMNS = ("iterations converged estimated_error patches links rays steals steal_requests messages message_bytes "
            "bytes_read bytes_written peak_cluster_bytes over_budget_bytes simulated_s").split()
-COMMON_KEYS = "scene solve run replay platform cost_model options smpirun hosts".split()
+COMMON_KEYS = "scene prepare solve run replay platform cost_model options smpirun hosts".split()
 
 
 class StudyError(Exception):
@@ -63,14 +63,25 @@ def scene_file(case: dict, out: Path, programs: Path) -> Path:
     return path
 
 
+def prepare(case: dict, out: Path, programs: Path, directory: Path) -> None:
+    """Makes `directory` a run that is prepared and not solved yet."""
+    prepared = out / f"prepared-{digest([case['scene'], case.get('prepare', [])])}"
+    if not (prepared / "graph.txt").exists():
+        run([programs / "enfilade", "prepare", scene_file(case, out, programs), "-o", prepared, "--no-pictures",
+             *case.get("prepare", [])], out / "prepare.log")
+    shutil.rmtree(directory, ignore_errors=True)
+    shutil.copytree(prepared, directory)
+
+
 def recorded_run(case: dict, out: Path, programs: Path) -> Path:
     """The run that is replayed: solved once, on one rank."""
     if "run" in case:
         return Path(case["run"]).resolve()
-    directory = out / f"run-{digest([case['scene'], case['solve']])}"
+    directory = out / f"run-{digest([case['scene'], case.get('prepare', []), case['solve']])}"
     if not (directory / "stats.json").exists():
-        run([programs / "enfilade", "solve", scene_file(case, out, programs), "-o", directory, "--no-pictures",
-             *case["solve"]], out / "solve.log")
+        prepare(case, out, programs, directory)
+        run([programs / "enfilade", "solve", directory, "-o", directory, "--no-pictures", *case["solve"]],
+            out / "solve.log")
     return directory
 
 
@@ -114,18 +125,21 @@ def run_case(case: dict, recorded: Path | None, out: Path, programs: Path) -> di
     if not isinstance(model, str):
         (directory / "cost.json").write_text(json.dumps(model, indent=1))
         model = directory / "cost.json"
-    source = ["--replay", recorded] if recorded else [scene_file(case, out, programs), "--no-pictures", *case["solve"]]
+    target = directory / "RUN"
+    source = ["--replay", recorded] if recorded else [target, "--no-pictures", *case["solve"]]
     command = ["smpirun", "-np", ranks, "-platform", platform, "-hostfile", directory / "hosts",
-               *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", directory / "RUN",
+               *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", target,
                "--cost-model", ROOT / model, "--quiet", *case.get("options", [])]
     files = "".join(Path(f).read_text() for f in (platform, directory / "hosts", ROOT / model))
     key = hashlib.sha256((" ".join(map(str, command)) + files).encode()).hexdigest()
-    mark, stats = directory / "done", directory / "RUN/stats.json"
+    mark, stats = directory / "done", target / "stats.json"
     if not (stats.exists() and mark.exists() and mark.read_text() == key):
-        shutil.rmtree(directory / "RUN", ignore_errors=True)
+        shutil.rmtree(target, ignore_errors=True)
+        if not recorded:
+            prepare(case, out, programs, target)
         run(command, directory / "log")
         mark.write_text(key)
-    history = json.loads((directory / "RUN/history.json").read_text())
+    history = json.loads((target / "history.json").read_text())
     return json.loads(stats.read_text()) | {"time_s": [iteration["time_s"] for iteration in history]}
 
 
@@ -145,11 +159,16 @@ def cases_of(study: dict) -> list[dict]:
             for case in study["cases"]]
 
 
-def run_study(study: dict, out: Path, programs: Path, only: str = "") -> list[dict]:
+def chosen(cases: list[dict], only: list[str]) -> list[dict]:
+    """Those that have one of these names, or where none has it, this text in their name."""
+    names = [case["name"] for case in cases]
+    return [case for case in cases
+            if not only or any(text == case["name"] or (text not in names and text in case["name"]) for text in only)]
+
+
+def run_study(study: dict, out: Path, programs: Path, only: list[str]) -> list[dict]:
     rows = []
-    for case in cases_of(study):
-        if only not in case["name"]:
-            continue
+    for case in chosen(cases_of(study), only):
         recorded = recorded_run(case, out, programs) if case.get("replay", True) else None
         rows.append(row_of(case, run_case(case, recorded, out, programs)))
         print(f"{case['name']:40} {rows[-1]['simulated_s'] / 60:12.1f} min", flush=True)
@@ -168,7 +187,7 @@ def main() -> int:
     parser.add_argument("study")
     parser.add_argument("-o", "--out", type=Path, help="default: out/NAME")
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
-    parser.add_argument("--case", default="", help="only cases with this in their name")
+    parser.add_argument("--case", action="append", default=[], help="only the case of this name, or those with this in it")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=JSON", help="another value for a key")
     arguments = parser.parse_args()
     try:
@@ -176,7 +195,7 @@ def main() -> int:
         out = (arguments.out or ROOT / "out" / study["name"]).resolve()
         rows = run_study(study, out, arguments.build.resolve() / "bin", arguments.case)
         if not rows:
-            raise StudyError(f"no case has '{arguments.case}' in its name")
+            raise StudyError(f"no case has {' or '.join(map(repr, arguments.case))} in its name")
         write_rows(rows, out / f"{study['name']}.csv")
     except (StudyError, OSError, json.JSONDecodeError) as error:
         print(f"study.py: {error}", file=sys.stderr)

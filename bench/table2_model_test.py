@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Tests of table2_model.py and of study.py's edits of a platform."""
+import math
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from study import ROOT, StudyError, edited_platform
-from table2_model import fit, host_speeds, mean_error, null_model
+from study import ROOT, StudyError, chosen, edited_platform
+from table2_model import fit, host_speeds, least_error_of_growing_work, mean_error, null_model
 
 
 class NullModel(unittest.TestCase):
@@ -27,18 +28,43 @@ class NullModel(unittest.TestCase):
 
 
 class Fit(unittest.TestCase):
-    def test_finds_compute_between_the_two_replays(self):
-        tables = {(0.5, 0.01): [(100.0, [50.0, 30.0]), (200.0, [90.0, 50.0])]}
-        key, compute, errors = fit(tables, [70.0, 40.0])
+    TABLES = {(0.5, 0.01): (100.0, [(40.0, 10.0), (20.0, 10.0)])}
+
+    def test_finds_what_computing_costs(self):
+        key, compute, errors = fit(self.TABLES, [70.0, 40.0])
         self.assertEqual(key, (0.5, 0.01))
         self.assertAlmostEqual(compute, 150.0)
         self.assertLess(mean_error(errors), 1e-9)
 
     def test_a_row_left_out_does_not_count(self):
-        tables = {(0.5, 0.01): [(100.0, [50.0, 30.0]), (200.0, [90.0, 50.0])]}
-        _, compute, errors = fit(tables, [70.0, 1.0], leave_out=1)
+        _, compute, errors = fit(self.TABLES, [70.0, 1.0], leave_out=1)
         self.assertAlmostEqual(compute, 150.0)
         self.assertGreater(errors[1], 1.0)
+
+
+class GrowingWork(unittest.TestCase):
+    def test_is_exact_where_the_work_grows(self):
+        self.assertEqual(least_error_of_growing_work([10.0, 6.0, 5.0], [1.0, 2.0, 3.0], [[0, 1, 2]]), 0.0)
+
+    def test_misses_what_shrinks_by_the_least(self):
+        # 10 and 8: one number for both, best at 8, where the first is 20% short.
+        self.assertAlmostEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0, 1]]), 0.1)
+        self.assertAlmostEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0], [1]]), 0.0)
+
+    def test_keeps_to_the_worst(self):
+        self.assertAlmostEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0, 1]], 0.15),
+                               (0.15 + 0.5 / 8.0) / 2.0)
+        self.assertEqual(least_error_of_growing_work([10.0, 4.0], [1.0, 2.0], [[0, 1]], 0.1), math.inf)
+
+
+class Chosen(unittest.TestCase):
+    CASES = [{"name": name} for name in ("4 SUN1", "4 SUN1 + 1 SUN2", "1 SGI3")]
+
+    def test_a_name_is_not_taken_for_a_part_of_others(self):
+        self.assertEqual(chosen(self.CASES, ["4 SUN1"]), self.CASES[:1])
+        self.assertEqual(chosen(self.CASES, ["SUN"]), self.CASES[:2])
+        self.assertEqual(chosen(self.CASES, ["4 SUN1", "SGI"]), [self.CASES[0], self.CASES[2]])
+        self.assertEqual(chosen(self.CASES, []), self.CASES)
 
 
 class Edits(unittest.TestCase):

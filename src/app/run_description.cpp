@@ -1,5 +1,6 @@
 #include "app/run_description.hpp"
 
+#include "app/revision.hpp"
 #include "base/hash_text.hpp"
 
 namespace enfilade {

@@ -11,7 +11,8 @@
 
 namespace enfilade {
 
-/// Thresholds are shares, so that they mean the same in any unit and size.
+/// Thresholds are shares, so that they mean the same in any unit and size. Depths are a hair off
+/// the round numbers that drawn niches and doorways like to have, so that no rounding decides.
 struct MergeConfig {
   /// Two groups are one when the opening is this share of the geometric mean of their faces there:
   /// more than a door leaves of any wall, less than a partition of half height or the joint of an
@@ -23,9 +24,9 @@ struct MergeConfig {
   /// A nook is open over nearly all of its face...
   double nook_open_share = 0.85;
   /// ... and not deeper than this many times the opening's width (an open corridor is).
-  double nook_depth = 2.0;
+  double nook_depth = 2.000001;
   /// Thinner than this many times its opening's width: the inside of a doorway, a window reveal.
-  double connector_depth = 0.5;
+  double connector_depth = 0.499999;
   /// What is open to the outside over this share of its whole boundary is outside.
   double outside_share = 0.3;
   /// ... and a lost room where its walls' fronts make up this share of it, and it is no smaller

@@ -33,6 +33,10 @@ bool is_canonical(const Vec3& n) {
   return n[k] > 0.0;
 }
 
+/// Areas by powers of 2^(1/steps). No area that is drawn, be it a power of two or its diagonal,
+/// lies on a border between two classes, where rounding would decide.
+double size_class(double area, double steps) { return std::floor(steps * std::log2(area) + 0.5); }
+
 bool lies_in(const Polygon& polygon, const Plane& plane, double tolerance) {
   return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) {
     return std::abs(plane.signed_distance(p)) <= tolerance;
@@ -56,7 +60,7 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   // Areas that are equal but for rounding stay in the file's order, however the building is turned.
-  const auto size_of = [&](std::size_t i) { return std::floor(16.0 * std::log2(areas[i])); };
+  const auto size_of = [&](std::size_t i) { return size_class(areas[i], 16.0); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return size_of(a) > size_of(b); });
   const double distance_step = 8.0 * tolerance_m;
@@ -138,10 +142,10 @@ std::vector<Direction> directions_of(std::span<const Piece> pieces) {
     directions[found].area += area;
   }
   // Largest first; what is equal but for rounding, in the file's order.
-  std::stable_sort(
-      directions.begin(), directions.end(), [](const Direction& a, const Direction& b) {
-        return std::floor(64.0 * std::log2(a.area)) > std::floor(64.0 * std::log2(b.area));
-      });
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const Direction& a, const Direction& b) {
+                     return size_class(a.area, 64.0) > size_class(b.area, 64.0);
+                   });
   return directions;
 }
 

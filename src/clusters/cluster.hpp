@@ -29,7 +29,7 @@ struct Cluster {
 };
 
 struct ClusterConfig {
-  std::size_t max_polygons = 64;  ///< larger objects are split by position
+  std::size_t max_polygons = 64;   ///< larger objects are split by position
   double max_extent_share = 0.25;  ///< of their parts: longest side, of the cell's diagonal
   double large_share =
       0.25;  ///< polygons longer than this share of the cell are not mixed with others

@@ -1,6 +1,5 @@
-// MPI behind Communicator. One receive for any message is always posted: looking for a message is a
-// test of it, waiting is a wait for it, and both are cheap under SMPI, where probing would poll in
-// simulated time.
+// MPI behind Communicator. Messages are probed for and then received, never tested for: SMPI keeps
+// in a list what ended by a test, and searches that list at the end of each later activity.
 #include "comm/communicator.hpp"
 
 #include <mpi.h>
@@ -41,14 +40,8 @@ struct Communicator::Impl {
   std::deque<Pending> sending;
   MessageCount sent;
   std::vector<std::byte> inbox = std::vector<std::byte>(1 << 20);
-  MPI_Request receiving = MPI_REQUEST_NULL;
   std::map<int, std::vector<std::byte>> parts;  ///< of messages that have not come whole, by sender
 
-  void post() {
-    check(MPI_Irecv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, MPI_ANY_SOURCE,
-                    MPI_ANY_TAG, comm, &receiving),
-          "MPI_Irecv");
-  }
   void start(int to, Tag tag, std::vector<std::byte> bytes) {
     ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
     if (sending.size() >= most_sending) drop_sent();
@@ -75,8 +68,12 @@ struct Communicator::Impl {
     bytes.erase(bytes.begin(), at);
     start(to.value, tag, std::move(bytes));
   }
-  /// None where more parts are to follow.
-  std::optional<Received> take(const MPI_Status& status) {
+  /// Receives a message from `source`; none where more parts are to follow.
+  std::optional<Received> take(int source) {
+    MPI_Status status;
+    check(MPI_Recv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, source, MPI_ANY_TAG,
+                   comm, &status),
+          "MPI_Recv");
     int count = 0;
     check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
     const std::span<const std::byte> bytes(inbox.data(), static_cast<std::size_t>(count));
@@ -89,14 +86,7 @@ struct Communicator::Impl {
       received = {Rank{status.MPI_SOURCE}, decode(tag, before.empty() ? bytes : before)};
       parts.erase(status.MPI_SOURCE);
     }
-    post();
     return received;
-  }
-  /// Takes back the posted receive: by a message to oneself, which works everywhere.
-  void withdraw() {
-    start(rank, Tag::stop, {});
-    check(MPI_Wait(&receiving, MPI_STATUS_IGNORE), "MPI_Wait");
-    finish();
   }
   void finish() {
     while (!sending.empty()) {
@@ -117,12 +107,11 @@ Communicator::Communicator(int& argc, char**& argv) : impl_(std::make_unique<Imp
   check(MPI_Comm_set_errhandler(impl_->comm, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
   check(MPI_Comm_rank(impl_->comm, &impl_->rank), "MPI_Comm_rank");
   check(MPI_Comm_size(impl_->comm, &impl_->size), "MPI_Comm_size");
-  impl_->post();
 }
 
 Communicator::~Communicator() {
   try {
-    impl_->withdraw();
+    impl_->finish();
     MPI_Comm_free(&impl_->comm);
     MPI_Finalize();
   } catch (const std::exception&) {
@@ -142,17 +131,15 @@ std::optional<Received> Communicator::poll() {
   while (true) {
     int arrived = 0;
     MPI_Status status;
-    check(MPI_Test(&impl_->receiving, &arrived, &status), "MPI_Test");
+    check(MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, impl_->comm, &arrived, &status), "MPI_Iprobe");
     if (arrived == 0) return std::nullopt;
-    if (auto received = impl_->take(status)) return received;
+    if (auto received = impl_->take(status.MPI_SOURCE)) return received;
   }
 }
 
 Received Communicator::receive(Machine& machine) {
   while (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
-    MPI_Status status;
-    check(MPI_Wait(&impl_->receiving, &status), "MPI_Wait");
-    if (auto received = impl_->take(status)) return std::move(*received);
+    if (auto received = impl_->take(MPI_ANY_SOURCE)) return std::move(*received);
   }
   for (int turn = 0;; ++turn) {
     if (auto received = poll()) return std::move(*received);

@@ -20,9 +20,13 @@ void write(ByteWriter& w, const StealRequest& request) {
   w.put(request.iteration);
   w.put_all(words);
   w.put_all(bits);
+  w.put_all(request.idle.words());
 }
 
-void write(ByteWriter& w, const StealReply& reply) { w.put(reply.cluster); }
+void write(ByteWriter& w, const StealReply& reply) {
+  w.put(reply.cluster);
+  w.put_all(reply.idle.words());
+}
 
 void write(ByteWriter& w, const Token& token) {
   w.put_all(token.maxima);
@@ -79,7 +83,13 @@ StealRequest read_steal_request(ByteReader& r) {
                                     static_cast<std::uint32_t>(std::countr_zero(bits[w])));
     }
   }
+  request.idle = RankSet(r.get_all<std::uint64_t>());
   return request;
+}
+
+StealReply read_steal_reply(ByteReader& r) {
+  const auto cluster = r.get<ClusterId>();
+  return {cluster, RankSet(r.get_all<std::uint64_t>())};
 }
 
 Token read_token(ByteReader& r) {
@@ -112,7 +122,7 @@ Message read_message(Tag tag, ByteReader& r) {
     case Tag::steal_request:
       return read_steal_request(r);
     case Tag::steal_reply:
-      return StealReply{r.get<ClusterId>()};
+      return read_steal_reply(r);
     case Tag::token:
       return read_token(r);
     case Tag::verdict:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "comm/rank_set.hpp"
 #include "store/cluster_files.hpp"
 
 namespace enfilade {
@@ -17,11 +18,13 @@ namespace enfilade {
 struct StealRequest {
   int iteration = 0;  ///< a victim that has not heard yet that it has begun answers when it has
   std::vector<ClusterId> resident;  ///< ascending
+  RankSet idle;  ///< that have nothing left to give in this iteration, as far as the thief knows
 };
 
 /// Victim to thief: the cluster that is now the thief's, or none.
 struct StealReply {
   ClusterId cluster;
+  RankSet idle;  ///< as the victim knows them; word goes round, so that few are asked in vain
 };
 
 /// First tour of the ring (§3.3.4), from each rank to its successor once it is idle and has moved
@@ -87,7 +90,7 @@ struct Received {
   Message message;
 };
 
-/// MPI tags, one a kind of message; `part`: the bytes go on in the next one; `stop`: to oneself.
+/// MPI tags, one a kind of message; `part`: the bytes go on in the next one.
 enum class Tag : int {
   steal_request = 1,
   steal_reply,
@@ -98,8 +101,7 @@ enum class Tag : int {
   section_request,
   section_reply,
   cluster_result,
-  part,
-  stop
+  part
 };
 Tag tag_of(const Message& message);
 

@@ -142,25 +142,28 @@ class SimulatedMachine final : public Machine {
     if (disk == Disk::local && local_.disk != nullptr) return local_;
     return common_[file % common_.size()];
   }
+  /// What counts for nothing lies, in the modelled program, in a file that is charged elsewhere.
   void transfer(const Server& server, std::uint64_t bytes, bool reading) const {
-    do {
+    while (bytes > 0) {
       const std::uint64_t part = std::min(bytes, costs_.disk.request_bytes);
       request(server, part, reading);
       bytes -= part;
-    } while (bytes > 0);
+    }
   }
   /// Reading: arm, then wire. Writing: wire, then arm.
   void request(const Server& server, std::uint64_t bytes, bool reading) const {
     const bool remote = server.host != here_;
-    if (remote) s4u::this_actor::sleep_for(costs_.disk.request_s);
     if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
+    // All who ask from elsewhere are as late by what a request costs, so that whose request is
+    // first is known now.
+    const double come_s = now_s() + (remote ? costs_.disk.request_s : 0.0);
     DiskArm& arm = arm_of(*server.disk, costs_.disk);
     // The transfer has the disk's whole bandwidth: what SimGrid's own disk activity would take,
     // without its record of every activity ever made, which each later one has to search.
     const double bandwidth =
         reading ? server.disk->get_read_bandwidth() : server.disk->get_write_bandwidth();
     const double seconds = arm.seek_s + static_cast<double>(bytes) / bandwidth;
-    arm.free_s = arm.others.end_s(std::max(now_s(), arm.free_s), seconds);
+    arm.free_s = arm.others.end_s(std::max(come_s, arm.free_s), seconds);
     s4u::this_actor::sleep_until(arm.free_s);
     if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
   }
@@ -179,7 +182,8 @@ std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
   // as cheap as it is on a real machine.
   xbt_log_control_set("xbt_cfg.thres:warning");
   s4u::Engine::set_config("smpi/simulate-computation:no");
-  s4u::Engine::set_config("smpi/test:1e-7");
+  s4u::Engine::set_config("smpi/test:0");
+  s4u::Engine::set_config("smpi/iprobe:0");
   s4u::Engine::set_config("smpi/grow-injected-times:no");
   return std::make_unique<SimulatedMachine>(
       cost_model_file.empty() ? CostModel{} : read_cost_model(cost_model_file));

@@ -26,7 +26,7 @@ WorkCount part(const WorkCount& work, std::uint64_t k, std::uint64_t n) {
 }  // namespace
 
 void ClusterWork::spend(Machine& machine, const WorkCount& work) const {
-  const std::uint64_t parts = machine.simulated() ? parts_of(work) : 1;
+  const std::uint64_t parts = machine.simulated() && listener_ ? parts_of(work) : 1;
   for (std::uint64_t k = 0; k < parts; ++k) {
     machine.compute(part(work, k, parts));
     listen();

@@ -6,6 +6,7 @@ namespace enfilade {
 
 void Dialogue::start(int iteration) {
   iteration_ = iteration;
+  idle_ = {};
   std::deque<Early> early;
   early.swap(early_);
   for (const Early& e : early) reply(e.from, e.request);
@@ -19,6 +20,7 @@ void Dialogue::take(Received received) {
   if (auto* request = std::get_if<StealRequest>(&received.message)) {
     reply(received.from, *request);
   } else if (auto* answer = std::get_if<StealReply>(&received.message)) {
+    idle_.add(answer->idle);
     std::get<std::deque<StealReply>>(shelves_).push_back(*answer);
   } else if (auto* token = std::get_if<Token>(&received.message)) {
     std::get<std::deque<Token>>(shelves_).push_back(std::move(*token));
@@ -35,7 +37,14 @@ void Dialogue::reply(Rank thief, const StealRequest& request) {
     early_.push_back({thief, request});
     return;
   }
-  communicator_.send(thief, StealReply{tasks_.give(request.resident).value_or(ClusterId{})});
+  idle_.add(request.idle);
+  const ClusterId given = tasks_.give(request.resident).value_or(ClusterId{});
+  communicator_.send(thief, StealReply{given, idle()});
+}
+
+const RankSet& Dialogue::idle() {
+  if (tasks_.waiting() == 0) idle_.add(communicator_.rank());
+  return idle_;
 }
 
 }  // namespace enfilade

@@ -22,6 +22,9 @@ class Dialogue {
   void start(int iteration);
   /// Answers what has arrived; called between two receiving clusters.
   void look();
+  /// The ranks that have no cluster left to give in this iteration, as far as this one has heard:
+  /// no work comes to them any more.
+  const RankSet& idle();
   /// WaitForReply of figure 5, for any kind of message: answers requests until one of kind T is
   /// there.
   template <class T>
@@ -46,6 +49,7 @@ class Dialogue {
   Machine& machine_;
   TaskList& tasks_;
   int iteration_ = 0;
+  RankSet idle_;
   std::deque<Early> early_;
   std::tuple<std::deque<StealReply>, std::deque<Token>, std::deque<Verdict>> shelves_;
 };

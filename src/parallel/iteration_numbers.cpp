@@ -16,7 +16,9 @@ class Numbers {
   explicit Numbers(std::span<const double> numbers) : numbers_(numbers) {}
   double next() {
     if (numbers_.empty())
-      throw RunError("a record of an iteration is cut short; solve again without --resume");
+      throw RunError(
+          "the record of an iteration is damaged, or of another version of enfilade; solve again "
+          "without --resume");
     const double value = numbers_.front();
     numbers_ = numbers_.subspan(1);
     return value;

@@ -16,6 +16,8 @@ ReplayShared load(const std::string& recorded) {
   shared.prepared = load_prepared(recorded);
   shared.recording = read_recording(recorded, shared.prepared.clusters.size());
   shared.group_of_cluster = coarse_groups(shared.prepared.clusters);
+  shared.emitted = emitted_power(shared.prepared.scene, shared.prepared.clusters);
+  shared.emitted_powers = emitted_powers(shared.prepared);
   return shared;
 }
 
@@ -55,7 +57,7 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   TaskList tasks(own, costs->at(memory),
-                 make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared)));
+                 make_order(config.order, config.seed, prepared.graph, shared->emitted_powers));
   ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory,
                   config.memory_manager);
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
@@ -74,7 +76,7 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
   };
   return run_ranks({prepared,
                     recording.basis,
-                    emitted_power(prepared.scene, prepared.clusters),
+                    shared->emitted,
                     {},
                     [&] { return std::pair(work.store_count(), work.residency_count()); }},
                    communicator, machine, iterate);

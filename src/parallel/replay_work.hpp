@@ -20,6 +20,8 @@ struct ReplayShared {
   Prepared prepared;
   Recording recording;
   std::vector<std::uint32_t> group_of_cluster;
+  Spectrum emitted;                    ///< power, per band
+  std::vector<double> emitted_powers;  ///< by cluster
 };
 
 class ReplayWork final : public ClusterWork {

@@ -8,24 +8,21 @@ Thief::Thief(Communicator& communicator, Machine& machine, Dialogue& dialogue)
 void Thief::start(int iteration) {
   iteration_ = iteration;
   steals_ = requests_ = 0;
-  victims_.clear();
-  for (int i = 1; i < communicator_.size(); ++i) {
-    victims_.push_back((communicator_.rank().value + i) % communicator_.size());
-  }
+  victim_ = 1;
 }
 
 std::optional<ClusterId> Thief::request(std::span<const ClusterId> resident) {
   const PhaseScope phase(machine_, Phase::steal);
-  while (!victims_.empty()) {
+  for (; victim_ < communicator_.size(); ++victim_) {
+    const Rank victim{(communicator_.rank().value + victim_) % communicator_.size()};
+    if (dialogue_.idle().has(victim)) continue;
     ++requests_;
-    communicator_.send(Rank{victims_.front()},
-                       StealRequest{iteration_, {resident.begin(), resident.end()}});
+    communicator_.send(
+        victim, StealRequest{iteration_, {resident.begin(), resident.end()}, dialogue_.idle()});
     const StealReply reply = dialogue_.wait_for<StealReply>();
-    if (reply.cluster.valid()) {
-      ++steals_;
-      return reply.cluster;
-    }
-    victims_.erase(victims_.begin());
+    if (!reply.cluster.valid()) continue;
+    ++steals_;
+    return reply.cluster;
   }
   return std::nullopt;
 }

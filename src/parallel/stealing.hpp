@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "parallel/dialogue.hpp"
 
@@ -16,8 +15,8 @@ class Thief {
   void start(int iteration);
   /// A cluster that is this rank's from now on; none when nobody has one left in this iteration.
   /// Starts with the successor and not with rank 0, so that the first rank is not everybody's first
-  /// victim; goes on with the last victim that gave; and does not ask again who had nothing, since
-  /// no work comes to them.
+  /// victim; goes on with the last victim that gave; and asks nobody of whom it has heard that they
+  /// have nothing left, from them or from others.
   std::optional<ClusterId> request(std::span<const ClusterId> resident);
 
   std::uint64_t steals() const { return steals_; }
@@ -28,7 +27,7 @@ class Thief {
   Machine& machine_;
   Dialogue& dialogue_;
   int iteration_ = 0;
-  std::vector<int> victims_;                 ///< that may have work left, the next one to ask first
+  int victim_ = 1;                           ///< the next one to ask: so many ranks after this one
   std::uint64_t steals_ = 0, requests_ = 0;  ///< in this iteration
 };
 

@@ -12,6 +12,8 @@
 namespace enfilade {
 namespace {
 
+constexpr int manifest_version = 2;  // 2: what an iteration's record holds has grown
+
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.
 std::vector<double> finite(std::vector<double> numbers) {
@@ -31,8 +33,13 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     const auto json =
         nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
                               reinterpret_cast<const char*>(bytes.data() + bytes.size()));
-    if (json.at("format") != "enfilade-manifest" || json.at("version") != 1) {
-      throw RunError(path + ": not a manifest of version 1; solve again without --resume");
+    if (json.at("format") != "enfilade-manifest") {
+      throw RunError(path + ": not a manifest; solve again without --resume");
+    }
+    if (json.at("version") != manifest_version) {
+      throw RunError(path + ": the run is of another version of enfilade (" +
+                     json.at("version").dump() + ", this one knows " +
+                     std::to_string(manifest_version) + "); solve again without --resume");
     }
     Manifest m;
     m.iteration = json.at("iteration");
@@ -55,7 +62,7 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
   std::vector<std::vector<double>> history;
   for (const auto& numbers : m.history) history.push_back(finite(numbers));
   const nlohmann::ordered_json json = {{"format", "enfilade-manifest"},
-                                       {"version", 1},
+                                       {"version", manifest_version},
                                        {"iteration", m.iteration},
                                        {"clusters", m.clusters},
                                        {"basis", m.basis == Basis::linear ? "linear" : "constant"},

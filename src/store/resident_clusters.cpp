@@ -3,7 +3,6 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace enfilade {
 namespace {
@@ -289,38 +288,63 @@ void BasicResidentClusters<State>::drop_links(Entry& entry) {
 }
 
 template <class State>
+bool BasicResidentClusters<State>::may_go(const Entry* entry, ClusterId id, bool links) const {
+  if (entry == nullptr) return false;
+  return links ? entry->has_links && id != receiver_ : !pinned(id);
+}
+
+template <class State>
+void BasicResidentClusters<State>::list_parts() {
+  parts_.clear();
+  entries_.for_each([&](ClusterId id, const Entry& entry) {
+    for (const bool links : {true, false}) {
+      if (may_go(&entry, id, links)) parts_.emplace_back(turns_until(id, links), links, id);
+    }
+  });
+  std::make_heap(parts_.begin(), parts_.end());
+  parts_good_for_bytes_ = budget_bytes_ / 8;
+}
+
+template <class State>
+void BasicResidentClusters<State>::drop(Entry& entry, ClusterId id, bool links) {
+  const std::uint64_t before = bytes_;
+  if (links) {
+    drop_links(entry);
+  } else {
+    entry.state.reset();
+    entry.previous.reset();
+  }
+  measure(entry);
+  if (!links) entries_.erase(id);
+  const std::uint64_t freed = before - bytes_;
+  freed_bytes_ += freed;
+  parts_good_for_bytes_ -= std::min(parts_good_for_bytes_, freed);
+  ++count_.evictions;
+}
+
+template <class State>
 void BasicResidentClusters<State>::evict() {
   if (budget_bytes_ == 0) return;
   // The next cluster comes in before others go: there must be room for it, or the system would
   // swap.
   const std::uint64_t limit = budget_bytes_ - std::min(budget_bytes_ / 2, largest_bytes_);
   if (bytes_ <= limit) return;
-  // A little more than needed, so that the order is not worked out for every cluster that comes in.
+  // A little more than needed, so that this is not done for every cluster that comes in; and in the
+  // order worked out a while ago, where what was farthest then is far still.
   const std::uint64_t goal = limit - limit / 32;
-  using Part = std::tuple<std::uint64_t, bool, ClusterId>;  // next use, links, whose
-  std::vector<Part> parts;
-  entries_.for_each([&](ClusterId id, const Entry& entry) {
-    if (entry.has_links && id != receiver_) parts.emplace_back(turns_until(id, true), true, id);
-    if (!pinned(id)) parts.emplace_back(turns_until(id, false), false, id);
-  });
-  std::make_heap(parts.begin(), parts.end());
-  for (; bytes_ > goal && !parts.empty(); parts.pop_back()) {
-    std::pop_heap(parts.begin(), parts.end());
-    const bool links = std::get<1>(parts.back());
-    const ClusterId id = std::get<2>(parts.back());
-    Entry* entry = entries_.find(id);
-    if (entry == nullptr) continue;
-    const std::uint64_t before = bytes_;
-    if (links) {
-      drop_links(*entry);
-    } else {
-      entry->state.reset();
-      entry->previous.reset();
+  bool now = false;
+  while (bytes_ > goal) {
+    if (parts_.empty() || parts_good_for_bytes_ == 0) {
+      list_parts();
+      now = true;
+      if (parts_.empty()) break;
     }
-    measure(*entry);
-    if (!links) entries_.erase(id);
-    freed_bytes_ += before - bytes_;
-    ++count_.evictions;
+    std::pop_heap(parts_.begin(), parts_.end());
+    const auto [turns, links, id] = parts_.back();
+    parts_.pop_back();
+    Entry* entry = entries_.find(id);
+    if (!may_go(entry, id, links)) continue;
+    if (now || turns_until(id, links) >= turns / 2) drop(*entry, id, links);
   }
   // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
   if (manager_ == MemoryManager::own && freed_bytes_ > budget_bytes_ / 8) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "machine/machine.hpp"
@@ -102,6 +103,10 @@ class BasicResidentClusters {
   /// What has to be read for it to shoot.
   void list_missing(ClusterId id, std::vector<SectionName>& missing) const;
   void evict();
+  bool may_go(const Entry* entry, ClusterId id, bool links) const;
+  /// Puts all that may go into parts_.
+  void list_parts();
+  void drop(Entry& entry, ClusterId id, bool links);
   void drop_links(Entry& entry);
 
   ClusterFiles& files_;
@@ -119,6 +124,9 @@ class BasicResidentClusters {
   std::uint64_t bytes_ = 0, freed_bytes_ = 0;
   std::uint64_t largest_bytes_ = 0;  ///< that a cluster has taken so far: room for the next one
   ResidencyCount count_;
+  using Part = std::tuple<std::uint64_t, bool, ClusterId>;  ///< turns until its use, links?, whose
+  std::vector<Part> parts_;                 ///< a heap: what could go, as it was when it was listed
+  std::uint64_t parts_good_for_bytes_ = 0;  ///< then the list is too old
 };
 
 using ResidentClusters = BasicResidentClusters<ClusterState>;

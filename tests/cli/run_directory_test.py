@@ -153,6 +153,12 @@ class Damage(InRun):
                 self.assert_failed(result, "solve again without --resume")
                 self.assertTrue((self.run_directory / "stats.json").exists())
 
+    def test_a_run_of_another_version_is_named_so(self):
+        manifest = self.run_directory / "common/manifest.json"
+        manifest.write_text(manifest.read_text().replace('"version":2', '"version":1'))
+        self.assert_failed(enfilade("solve", self.run_directory, "--resume"), str(manifest), "another version of enfilade",
+                           "solve again without --resume")
+
     def test_cost_models_that_are_none(self):
         model = self.scratch / "model.json"
         shipped = (ROOT / "platforms/cost_model.json").read_text()
@@ -257,6 +263,15 @@ class SimulatedInputs(InScratch):
             self.assertEqual(len(said(result)), 1, result.stderr)
             self.assertIn("server-disk: seek_s", said(result)[0])
             self.assertFalse((self.scratch / "run").exists())
+
+    def test_a_replay_is_not_taken_for_a_run(self):
+        run, replayed = self.scratch / "run", self.scratch / "replayed"
+        self.assertEqual(solve(ROOM, run).returncode, 0)
+        result = self.smpirun(2, "solve", "--replay", run, "-o", replayed, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for command in (["info", replayed], ["solve", replayed], ["render", replayed, "-o", self.scratch / "x.png"]):
+            with self.subTest(command[0]):
+                self.assert_refused(enfilade(*command), str(replayed), "a replay", "name the run that was replayed")
 
 
 if __name__ == "__main__":

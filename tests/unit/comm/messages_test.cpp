@@ -8,13 +8,18 @@ namespace enfilade {
 namespace {
 
 TEST(Messages, ComeBackAsTheyWereSent) {
-  const StealRequest request{3, {ClusterId(5), ClusterId(70000)}};
+  RankSet idle;
+  idle.add(Rank{70});
+  const StealRequest request{3, {ClusterId(5), ClusterId(70000)}, idle};
   const auto r = std::get<StealRequest>(decode(Tag::steal_request, encode(request)));
   EXPECT_EQ(r.iteration, 3);
   EXPECT_EQ(r.resident, request.resident);
+  EXPECT_TRUE(r.idle.has(Rank{70}));
+  EXPECT_FALSE(r.idle.has(Rank{6}));
 
-  const auto none = std::get<StealReply>(decode(Tag::steal_reply, encode(StealReply{})));
+  const auto none = std::get<StealReply>(decode(Tag::steal_reply, encode(StealReply{{}, idle})));
   EXPECT_FALSE(none.cluster.valid());
+  EXPECT_TRUE(none.idle.has(Rank{70}));
 
   const auto token = std::get<Token>(decode(Tag::token, encode(Token{{1.5}, {2.5, -3.0}, {9.0}})));
   EXPECT_EQ(token.maxima, (std::vector<double>{1.5}));
