@@ -1,5 +1,5 @@
 """Iterations to a given bound of the iteration error, at several reflectances and numbers of (simulated) ranks, with the
-coarse correction and as in RR-3425 (section 8).
+coarse correction, as in RR-3425 (section 8), and by Jacobi's method.
 
 usage: iterations.py BIN_DIRECTORY SCENE.json OUT.csv [--reflectances 0.5,0.9,0.99] [--ranks 1,2,4,8,32] [--tolerance 1e-6]
 
@@ -30,7 +30,8 @@ def main():
     for reflectance in map(float, options.reflectances.split(",")):
         for ranks in map(int, options.ranks.split(",")):
             row = {"reflectance": reflectance, "ranks": ranks}
-            for scheme, words in (("corrected", []), ("paper", ["--no-coarse-correction"])):
+            for scheme, words in (("corrected", []), ("paper", ["--no-coarse-correction"]),
+                                  ("jacobi", ["--no-coarse-correction", "--iteration", "jacobi"])):
                 row[scheme] = iterations(options, scene, reflectance, ranks, words)
             rows.append(row)
             print(*(f"{key} {value}" for key, value in row.items()), flush=True)

@@ -15,6 +15,8 @@ struct Correction {
   std::vector<double> changes;  ///< as the ClusterWork understands them; empty = none
   double missing_power =
       0.0;  ///< how much that is: an estimate of what the iterations still lacked
+  /// Per band: what it adds to IterationSums::absorbed_power and escaping_power.
+  Spectrum absorbed_power, escaping_power;
 };
 
 class ClusterWork {

@@ -64,29 +64,53 @@ double most_reflected(const IterationSums& sums) {
   return worst(sums.arriving_power.size(), [&](std::size_t b) { return reflected_share(sums, b); });
 }
 
-/// A change that rows being closed or light being mended has made says nothing of the one before:
-/// it is passed on as light is reflected.
-double change_ratio(std::span<const IterationSummary> history) {
-  if (history.size() < 2) return 0.0;
-  const IterationSummary& last = history.back();
-  const IterationSummary& before = history[history.size() - 2];
-  if (last.plan.close_rows != before.plan.close_rows || last.plan.mend != before.plan.mend) {
-    return std::min(most_reflected(last.sums), 0.9999);
-  }
+/// The same links, closed and mended alike: only then does one change tell of the one before.
+bool comparable(const IterationSummary& last, const IterationSummary& before) {
+  return last.plan.close_rows == before.plan.close_rows && last.plan.mend == before.plan.mend;
+}
+
+double ratio(const IterationSummary& last, const IterationSummary& before) {
   const double change = before.sums.change_power;
   return change > 0.0 ? std::min(last.sums.change_power / change, 0.9999) : 0.0;
 }
 
-/// Relative L1 of the changes to come, where each is `passed_on` times the one before.
+/// The last two changes. One that rows being closed or light being mended has made is passed on as
+/// light is reflected.
+double change_ratio(std::span<const IterationSummary> history) {
+  if (history.size() < 2) return 0.0;
+  const IterationSummary& last = history.back();
+  const IterationSummary& before = history[history.size() - 2];
+  return comparable(last, before) ? ratio(last, before)
+                                  : std::min(most_reflected(last.sums), 0.9999);
+}
+
+/// The largest that the last three changes over the same links show; 0 where there are fewer.
+double steady_ratio(std::span<const IterationSummary> history) {
+  double most = 0.0;
+  int seen = 0;
+  for (std::size_t i = history.size(); i-- > 1 && seen < 3;) {
+    if (history[i].sums.work.links_refined > 0) break;
+    if (!comparable(history[i], history[i - 1])) continue;
+    most = std::max(most, ratio(history[i], history[i - 1]));
+    ++seen;
+  }
+  return seen < 3 ? 0.0 : most;
+}
+
+/// Relative L1 of the changes to come, where each is `passed_on` times the one before: gathers' and
+/// the coarse system's, which is never taken for better than it was this time.
 double still_to_come(const IterationSummary& last, double passed_on) {
-  const double changes = last.sums.change_power * passed_on / (1.0 - passed_on);
-  return relative(changes + last.missing_power, last.sums.received_power);
+  const double series = passed_on / (1.0 - passed_on);
+  return relative(series * last.sums.change_power + std::max(1.0, series) * last.missing_power,
+                  last.sums.received_power);
 }
 
 }  // namespace
 
 double contraction(std::span<const IterationSummary> history) {
   if (history.empty()) return 0.0;
+  const double steady = steady_ratio(history);
+  if (history.back().corrected && steady > 0.0) return steady;
   return std::min(std::max(most_reflected(history.back().sums), change_ratio(history)), 0.9999);
 }
 

@@ -10,6 +10,8 @@ namespace enfilade {
 /// Share of the error that one iteration passes on to the next: the larger of what the last changes
 /// show and of what share of the arriving light has been reflected (a lower bound of the iteration
 /// matrix's norm, and its spectral radius where light is even); 0 where there is no telling yet.
+/// Where the coarse system has taken out what reflection carries on, the largest of the last three
+/// ratios of changes, once there are so many.
 double contraction(std::span<const IterationSummary> history);
 
 /// All parts, for the last of `history`.

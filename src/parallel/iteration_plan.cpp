@@ -109,15 +109,18 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
   plan.mend = mended(last, config.surfaces_power, 0.02 * config.target_error);
-  const bool quiet = links_done && plan.mend == last.plan.mend &&
-                     last.error.iteration_bound <= tolerance_of(config);
+  const bool all_done = links_done && plan.mend == last.plan.mend;
+  const bool quiet = all_done && last.error.iteration_bound <= tolerance_of(config);
+  // What the links are wrong by shows before the light has come to rest.
+  const bool calm = all_done && last.error.iteration_bound <=
+                                    std::max(tolerance_of(config), 0.02 * config.target_error);
   const double error = links_error(last.error);
   const bool fine = error <= 0.9 * config.target_error;
   const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
   if (out_of_iterations) {
     plan.finished = true;
     plan.converged = quiet && fine && sampled(history);
-  } else if (quiet && !sampled(history)) {
+  } else if (calm && !sampled(history)) {
     plan.sample = true;
     plan.sample_rays = rays_of_a_sample(config);
   } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history) &&

@@ -55,6 +55,7 @@ struct ErrorEstimate {
 struct IterationSummary {
   IterationPlan plan;
   IterationSums sums;
+  bool corrected = false;      ///< by the coarse system; sums and errors are those after that
   double missing_power = 0.0;  ///< what the coarse system says the iteration still lacked
   ErrorEstimate error;
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated

@@ -21,7 +21,12 @@ Verdict Judge::decide(const IterationPlan& plan, const Token& token) {
   summary.sums = sums_from(token);
   summary.time_s = machine_.now_s() - start_s_;
   const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
+  summary.corrected = coarse_correction_;
   summary.missing_power = correction.missing_power;
+  for (std::size_t b = 0; b < correction.absorbed_power.size(); ++b) {
+    summary.sums.absorbed_power[b] += correction.absorbed_power[b];
+    summary.sums.escaping_power[b] += correction.escaping_power[b];
+  }
   history_.push_back(summary);
   const IterationPlan next = plan_next_(history_);
   work_.commit(history_, correction.changes, next.finished);

@@ -33,13 +33,10 @@ Spectrum mended(const IterationSummary& last, const Spectrum& surfaces, double t
   const IterationSums& sums = last.sums;
   Spectrum mend = last.plan.mend;
   if (!last.plan.close_rows) return mend;
-  const double moving = sums.received_power > 0.0
-                            ? (sums.change_power + last.missing_power) / sums.received_power
-                            : 1.0;
   for (std::size_t b = 0; b < std::min(surfaces.size(), sums.doubtful_power.size()); ++b) {
     const double share = unbalanced_share(sums, surfaces, b);
     const double lost = share * sent_power(sums, surfaces, b);
-    if (std::abs(share) <= tolerance || std::abs(lost) < 4.0 * moving * sums.arriving_power[b] ||
+    if (std::abs(share) <= std::max(tolerance, last.error.iteration_bound) ||
         sums.doubtful_power[b] <= 0.0) {
       continue;
     }

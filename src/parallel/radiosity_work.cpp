@@ -149,6 +149,8 @@ Correction RadiosityWork::correct(std::span<const double> coarse) const {
   Correction correction;
   correction.changes = system.solve();
   correction.missing_power = system.power(correction.changes);
+  correction.absorbed_power = system.absorbed(correction.changes);
+  correction.escaping_power = system.escaping(correction.changes);
   return correction;
 }
 

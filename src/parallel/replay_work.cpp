@@ -96,7 +96,8 @@ IterationSums ReplayWork::gather(ClusterId receiver) {
   state.become(cost.patches, cost.links);
   if (shared_->recording.light.coarse_correction) {
     CoarseRow row;
-    row.before = row.after = std::vector<double>(shared_->recording.bands, 0.0);
+    row.before = row.after = row.absorbed = row.escaping =
+        std::vector<double>(shared_->recording.bands, 0.0);
     for (const std::uint32_t group : cost.coupled) {
       row.entries.push_back({ClusterId(group), false, row.before});
     }
@@ -116,7 +117,9 @@ std::vector<double> ReplayWork::merge(std::span<const double> a, std::span<const
 Correction ReplayWork::correct(std::span<const double>) const {
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
   return {std::vector<double>(groups_ * shared_->recording.bands, 0.0),
-          shared_->recording.history[iteration].missing_power};
+          shared_->recording.history[iteration].missing_power,
+          {},
+          {}};
 }
 
 void ReplayWork::commit(const std::vector<IterationSummary>&, std::span<const double>, bool) {

@@ -37,6 +37,8 @@ CoarseSystem::CoarseSystem(std::size_t groups, std::size_t bands)
       bands_(bands),
       before_(groups * bands, 0.0),
       after_(groups * bands, 0.0),
+      absorbed_(groups * bands, 0.0),
+      escaping_(groups * bands, 0.0),
       rows_(groups) {}
 
 CoarseSystem::Coupling& CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
@@ -55,6 +57,8 @@ void CoarseSystem::add(std::uint32_t group, const CoarseRow& row,
   for (std::size_t b = 0; b < bands_; ++b) {
     before_[group * bands_ + b] += row.before[b];
     after_[group * bands_ + b] += row.after[b];
+    absorbed_[group * bands_ + b] += row.absorbed[b];
+    escaping_[group * bands_ + b] += row.escaping[b];
   }
   for (const CoarseRow::Entry& entry : row.entries) {
     Coupling& to = coupling(group, group_of_cluster[entry.shooter.index()]);
@@ -68,6 +72,8 @@ void CoarseSystem::merge(const CoarseSystem& other) {
   for (std::size_t i = 0; i < after_.size(); ++i) {
     before_[i] += other.before_[i];
     after_[i] += other.after_[i];
+    absorbed_[i] += other.absorbed_[i];
+    escaping_[i] += other.escaping_[i];
   }
   for (std::size_t g = 0; g < groups_; ++g) {
     for (const Coupling& c : other.rows_[g]) {
@@ -176,10 +182,18 @@ double CoarseSystem::power(std::span<const double> changes) const {
   return worst;
 }
 
+std::vector<double> CoarseSystem::sum(std::span<const double> power,
+                                      std::span<const double> changes) const {
+  std::vector<double> total(bands_, 0.0);
+  for (std::size_t i = 0; i < changes.size(); ++i) total[i % bands_] += power[i] * changes[i];
+  return total;
+}
+
 std::vector<double> CoarseSystem::to_numbers() const {
   std::vector<double> numbers{static_cast<double>(groups_), static_cast<double>(bands_)};
-  numbers.insert(numbers.end(), before_.begin(), before_.end());
-  numbers.insert(numbers.end(), after_.begin(), after_.end());
+  for (const std::vector<double>* power : {&before_, &after_, &absorbed_, &escaping_}) {
+    numbers.insert(numbers.end(), power->begin(), power->end());
+  }
   for (const auto& row : rows_) {
     numbers.push_back(static_cast<double>(row.size()));
     for (const Coupling& c : row) {
@@ -201,8 +215,10 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
               numbers.begin() + static_cast<std::ptrdiff_t>(at + n));
     at += n;
   };
-  take(system.before_, system.groups_ * system.bands_);
-  take(system.after_, system.groups_ * system.bands_);
+  for (std::vector<double>* power :
+       {&system.before_, &system.after_, &system.absorbed_, &system.escaping_}) {
+    take(*power, system.groups_ * system.bands_);
+  }
   std::vector<double> head;
   for (auto& row : system.rows_) {
     take(head, 1);

@@ -4,7 +4,8 @@
 //
 // Iterative aggregation (Takahashi 1975; Schweitzer 1991): the light of each group's polygons keeps
 // its proportions and is scaled by one factor z, such that every group's balance holds (over a
-// polygon what is added is spread evenly: light of many reflections is smooth): with P the power
+// polygon what is added is spread as evenly as its dark parts allow: light of many reflections is
+// smooth): with P the power
 // that arrives at a group and f_cd what of it comes from group d by reflection,
 //   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d,   f' = f, times P_new / P_old of the shooting
 // group where its light was read as it was before this iteration's gather. A group in the dark
@@ -29,7 +30,9 @@ struct CoarseRow {
     std::vector<double> flow;  ///< per band: power that came from what the shooter reflects
   };
   std::vector<double> before, after;  ///< per band: power that arrives, last gather and this one
-  std::vector<Entry> entries;         ///< by ascending shooter
+  /// Per band, what of the power after is absorbed, and what of it leaves for good once reflected.
+  std::vector<double> absorbed, escaping;
+  std::vector<Entry> entries;  ///< by ascending shooter
 };
 
 /// group[cluster] = its unknown. Clusters are unknowns themselves up to `most`; beyond, those of a
@@ -48,6 +51,13 @@ class CoarseSystem {
   std::vector<double> solve() const;
   /// Sum over groups of |change| in power, worst band: what is still missing.
   double power(std::span<const double> changes) const;
+  /// Per band: what the changes add to the power that is absorbed, and to that which escapes.
+  std::vector<double> absorbed(std::span<const double> changes) const {
+    return sum(absorbed_, changes);
+  }
+  std::vector<double> escaping(std::span<const double> changes) const {
+    return sum(escaping_, changes);
+  }
 
   /// As numbers, for a message.
   std::vector<double> to_numbers() const;
@@ -60,9 +70,11 @@ class CoarseSystem {
   };
   Coupling& coupling(std::size_t row, std::uint32_t column);
   std::vector<double> solve_band(std::size_t band) const;
+  std::vector<double> sum(std::span<const double> power, std::span<const double> changes) const;
 
   std::size_t groups_, bands_;
-  std::vector<double> before_, after_;       // power, [group * bands + band]
+  // Power, [group * bands + band].
+  std::vector<double> before_, after_, absorbed_, escaping_;
   std::vector<std::vector<Coupling>> rows_;  // by ascending column
 };
 

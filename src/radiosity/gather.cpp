@@ -45,6 +45,8 @@ class Gatherer {
   void receive_beam(const Link& link, std::span<const float> transport);
   void receive_patch(const Link& link, std::span<const float> transport);
   std::vector<double> arriving_power() const;
+  Spectrum gathered_power() const;
+  void close_rows();
   void push_pull();
 
   ClusterState& receiver_;
@@ -192,17 +194,37 @@ GatherResult Gatherer::finish() {
   ENFILADE_CHECK(next_ == receiver_.links().size(), "links of a cluster that is not visible");
   if (changed_) receiver_.links() = std::move(kept_);
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
-  if (config_.close_rows) {
-    const double closing = closing_.close(occluders_, config_.mend, result_.work, gathered_);
-    result_.doubtful_power = closing_.doubtful_power();
-    for (CoarseRow::Entry& entry : result_.coarse.entries) {
-      for (double& flow : entry.flow) flow *= closing;
-    }
-  }
+  if (config_.close_rows) close_rows();
   push_pull();
   result_.residual = samples_.compare(receiver_);
   receiver_.set_iteration(config_.iteration);
   return std::move(result_);
+}
+
+/// What was gathered at every node so far, but for what came straight from point lights.
+Spectrum Gatherer::gathered_power() const {
+  const PatchForest& patches = receiver_.patches();
+  Spectrum power(bands_, 0.0);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      power[b] += patches.node(n).shape.area_m2 * gathered_[(n * bands_ + b) * terms_];
+    }
+  }
+  for (std::size_t b = 0; b < bands_; ++b) power[b] -= result_.beamed_power[b];
+  return power;
+}
+
+/// What is added to the rows came from all of the shooters, as far as the coarse system can tell.
+void Gatherer::close_rows() {
+  const Spectrum before = gathered_power();
+  closing_.close(occluders_, config_.mend, result_.work, gathered_);
+  result_.doubtful_power = closing_.doubtful_power();
+  const Spectrum after = gathered_power();
+  for (CoarseRow::Entry& entry : result_.coarse.entries) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (before[b] > 0.0 && after[b] > 0.0) entry.flow[b] *= after[b] / before[b];
+    }
+  }
 }
 
 std::vector<double> Gatherer::arriving_power() const {
@@ -230,6 +252,7 @@ void Gatherer::push_pull() {
     for (std::size_t b = 0; b < bands_; ++b) result_.returning_power[b] += entry.flow[b];
   }
   result_.escaping_power.assign(bands_, 0.0);
+  result_.coarse.escaping.assign(bands_, 0.0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
@@ -242,12 +265,14 @@ void Gatherer::push_pull() {
       received[b] += power;
       result_.absorbed_power[b] += (1.0 - patches.frames()[node.id.root].reflectance[b]) * power;
       if (patches.exposure(n) >= 0.0f) {
-        result_.escaping_power[b] += node.shape.area_m2 * patches.radiosity(n)[b * terms_] *
-                                     (1.0 - static_cast<double>(patches.exposure(n)));
+        const double share = 1.0 - static_cast<double>(patches.exposure(n));
+        result_.escaping_power[b] += share * node.shape.area_m2 * patches.radiosity(n)[b * terms_];
+        result_.coarse.escaping[b] += share * patches.frames()[node.id.root].reflectance[b] * power;
       }
     }
   }
   result_.coarse.after = arriving_power();
+  result_.coarse.absorbed = result_.absorbed_power;
   result_.arriving_power = received;
   result_.received_power = *std::max_element(received.begin(), received.end());
   result_.change_power = *std::max_element(change.begin(), change.end());

@@ -241,16 +241,27 @@ void PatchForest::expose_to(std::uint32_t lit_polygons) {
 
 void PatchForest::add_share(std::span<const double> shares) {
   const auto bands = static_cast<std::size_t>(bands_), terms = static_cast<std::size_t>(terms_);
-  std::vector<double> means(polygons() * bands);
+  // Per polygon and band: its mean light, and what of an addition is spread evenly.
+  std::vector<double> means(polygons() * bands), even(polygons() * bands, 1.0);
   for (std::size_t k = 0; k < polygons(); ++k) {
     for (std::size_t b = 0; b < bands; ++b) means[k * bands + b] = irradiance(k)[b * terms];
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!nodes_[i].leaf()) continue;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const std::size_t at = nodes_[i].id.root * bands + b;
+      const double least = means[at] > 0.0 ? irradiance(i)[b * terms] / means[at] : 0.0;
+      even[at] = std::clamp(least, 0.0, even[at]);
+    }
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::uint32_t k = nodes_[i].id.root;
     for (std::size_t b = 0; b < bands; ++b) {
-      for (std::size_t t = 0; t < (shares[b] < 0.0 ? terms : 1); ++t) {
+      const double evenly = shares[b] > 0.0 ? even[k * bands + b] : 0.0;
+      for (std::size_t t = 0; t < terms; ++t) {
         double& e = irradiance(i)[b * terms + t];
-        const double change = shares[b] * (shares[b] < 0.0 ? e : means[k * bands + b]);
+        const double all_over = t == 0 ? evenly * means[k * bands + b] : 0.0;
+        const double change = shares[b] * (all_over + (1.0 - evenly) * e);
         e += change;
         radiosity(i)[b * terms + t] += frames_[k].reflectance[b] * change;
       }

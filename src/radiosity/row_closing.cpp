@@ -104,8 +104,8 @@ void RowClosing::push() {
   }
 }
 
-double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
-                         std::vector<double>& gathered) {
+void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
+                       std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
   rows_.resize(patches.size() * width_, 0.0);
   push();
@@ -115,7 +115,6 @@ double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkC
   const std::vector<char> open = find_openings(rings, occluders, work);
   const std::size_t stride = bands_ * terms_;
   const double rays = 4.0 * rings * rings;
-  double sum = 0.0, closed = 0.0;
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
@@ -125,8 +124,6 @@ double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkC
       doubtful_power_[b] += node.shape.area_m2 * doubtful;
       if (!mend.empty()) gathered[n * stride + b * terms_] += mend[b] * doubtful;
     }
-    sum += node.shape.area_m2 * has[0];
-    closed += node.shape.area_m2 * has[0];
     const double target = patches.exposure(n);
     if (has[terms_] <= 0.0 || target <= 0.0) continue;
     // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one
@@ -135,7 +132,6 @@ double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkC
     const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
     const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
     const double missing = gain * (target - has[0]);
-    closed += node.shape.area_m2 * missing;
     for (std::size_t b = 0; b < bands_; ++b) {
       double* to = gathered.data() + n * stride + b * terms_;
       const double light = has[terms_ + 1 + b] / has[terms_];
@@ -146,7 +142,6 @@ double RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkC
       }
     }
   }
-  return sum > 0.0 ? closed / sum : 1.0;
 }
 
 }  // namespace enfilade

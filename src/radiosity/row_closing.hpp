@@ -23,10 +23,9 @@ class RowClosing {
   void add(const Link& link, std::span<const float> transport, std::span<const double> light,
            double variation);
   /// Adds to `gathered` (indexed like the light of the patches) the missing light, then `mend`
-  /// (per band, may be empty) times each leaf's doubtful light. Returns the mended rows' sum over
-  /// that of the rows as they were.
-  double close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
-               std::vector<double>& gathered);
+  /// (per band, may be empty) times each leaf's doubtful light.
+  void close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
+             std::vector<double>& gathered);
   /// After that: area times doubtful light over the leaves, per band.
   const Spectrum& doubtful_power() const { return doubtful_power_; }
 

@@ -34,6 +34,19 @@ TEST(ErrorEstimate, AChangeThatFellByLuckIsBoundedByWhatIsReflected) {
   EXPECT_LT(estimate.iteration, 0.01 * estimate.iteration_bound);
 }
 
+TEST(ErrorEstimate, WhatTheCoarseSystemLeavesIsBoundedByTheWorstOfThreeRatios) {
+  std::vector<IterationSummary> history;
+  for (const double change : {10.0, 3.0, 1.2, 0.1}) history.push_back(summary(change, 99.0));
+  EXPECT_DOUBLE_EQ(contraction(history), 0.99);  // nothing took the slow part out
+  for (IterationSummary& s : history) s.corrected = true;
+  EXPECT_DOUBLE_EQ(contraction(history), 0.4);
+  history.back().missing_power = 0.3;
+  EXPECT_NEAR(estimate_error(history, emitted).iteration_bound, (0.1 * 2.0 / 3.0 + 0.3) / 100.0,
+              1e-9);
+  history.back().sums.work.links_refined = 1;  // other links: too little is known of them
+  EXPECT_DOUBLE_EQ(contraction(history), 0.99);
+}
+
 TEST(ErrorEstimate, AChangeThatAMendMadeIsPassedOnByReflection) {
   std::vector<IterationSummary> history = {summary(0.1), summary(1.0)};
   EXPECT_GT(estimate_error(history, emitted).iteration_bound, 10.0);  // it grew: no end in sight
