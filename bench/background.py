@@ -39,8 +39,9 @@ def infer(case: dict, model: dict, minutes: float, alone: tuple[float, float], r
     """The share that others take, and the row's minutes with it: to 1%, in at most eight replays. `alone`: the parts
     without others. More load takes longer, so that the share lies between those that were too little and too much."""
     low, high, share = 0.0, MOST, min(MOST, max(0.0, guess(*alone, minutes, 0.0)))
-    found = 0.0
+    tried = found = 0.0
     for _ in range(8):
+        tried = share
         moving, io = parts(run_case(loaded(case, share, model), recorded, out, programs))
         found = moving + io
         if abs(found / minutes - 1.0) < 0.01 or (share == 0.0 and found > minutes):
@@ -48,4 +49,4 @@ def infer(case: dict, model: dict, minutes: float, alone: tuple[float, float], r
         low, high = (share, high) if found < minutes else (low, share)
         better = guess(moving, io, minutes, share)
         share = better if low < better < high else 0.5 * (low + high)
-    return share, found
+    return tried, found

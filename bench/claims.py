@@ -71,7 +71,7 @@ class Study:
         return json.loads((run / "stats.json").read_text())
 
     def replay(self, recorded: Path, name: str, options: list) -> dict:
-        run = self.directory / recorded.stem / name
+        run = self.directory / f"{recorded.stem}-replays" / name
         if not (run / "stats.json").exists():
             shutil.rmtree(run, ignore_errors=True)
             self.command(*self.simulated, "solve", "--replay", recorded, "-o", run, "--quiet", *options)

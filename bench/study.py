@@ -131,7 +131,8 @@ def run_case(case: dict, recorded: Path | None, out: Path, programs: Path) -> di
                *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", target,
                "--cost-model", ROOT / model, "--quiet", *case.get("options", [])]
     files = "".join(Path(f).read_text() for f in (platform, directory / "hosts", ROOT / model))
-    key = hashlib.sha256((" ".join(map(str, command)) + files).encode()).hexdigest()
+    made = "" if recorded else digest([case["scene"], case.get("prepare", [])])
+    key = hashlib.sha256((" ".join(map(str, command)) + made + files).encode()).hexdigest()
     mark, stats = directory / "done", target / "stats.json"
     if not (stats.exists() and mark.exists() and mark.read_text() == key):
         shutil.rmtree(target, ignore_errors=True)

@@ -98,8 +98,8 @@ void LeafGraph::join(std::uint32_t g, std::uint32_t h) {
   if (g != outside && groups_[h].contacts.size() > groups_[g].contacts.size()) std::swap(g, h);
   LeafGroup& to = groups_[g];
   LeafGroup& from = groups_[h];
-  const bool takes_solid = from.is_solid() && !to.is_solid();
-  const bool is_taken = to.is_solid() && !from.is_solid() && g != outside;
+  const bool takes_solid = from.is_solid() && !to.is_solid() && to.has_evidence();
+  const bool is_taken = to.is_solid() && !from.is_solid() && from.has_evidence() && g != outside;
   if (takes_solid) {
     to.own_boundary = to.boundary();
   } else if (is_taken) {

@@ -89,7 +89,7 @@ double steady_ratio(std::span<const IterationSummary> history) {
   double most = 0.0;
   int seen = 0;
   for (std::size_t i = history.size(); i-- > 1 && seen < 3;) {
-    if (history[i].sums.work.links_refined > 0) break;
+    if (history[i].sums.work.links_refined + history[i - 1].sums.work.links_refined > 0) break;
     if (!comparable(history[i], history[i - 1])) continue;
     most = std::max(most, ratio(history[i], history[i - 1]));
     ++seen;

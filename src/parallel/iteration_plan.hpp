@@ -47,7 +47,7 @@ void add(IterationSums& sums, const IterationSums& part);
 struct ErrorEstimate {
   double discretisation = 0.0, visibility = 0.0, iteration = 0.0;  ///< of points gathered for
   double patches = 0.0;          ///< of what is read off the patches, all parts together
-  double iteration_bound = 0.0;  ///< what iterations to come can change at most
+  double iteration_bound = 0.0;  ///< what iterations to come may still change, estimated
   double total() const { return discretisation + visibility + iteration; }
 };
 
@@ -55,7 +55,7 @@ struct ErrorEstimate {
 struct IterationSummary {
   IterationPlan plan;
   IterationSums sums;
-  bool corrected = false;      ///< by the coarse system; sums and errors are those after that
+  bool corrected = false;      ///< by the coarse system; what is absorbed and escapes is after that
   double missing_power = 0.0;  ///< what the coarse system says the iteration still lacked
   ErrorEstimate error;
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated

@@ -115,11 +115,19 @@ std::vector<double> ReplayWork::merge(std::span<const double> a, std::span<const
 }
 
 Correction ReplayWork::correct(std::span<const double>) const {
+  const Recording& recording = shared_->recording;
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
-  return {std::vector<double>(groups_ * shared_->recording.bands, 0.0),
-          shared_->recording.history[iteration].missing_power,
-          {},
-          {}};
+  const IterationSummary& summary = recording.history[iteration];
+  // What was recorded of the iteration is after its correction, what was of its gathers before it.
+  IterationSums gathered;
+  for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.sums);
+  const auto brought = [](Spectrum after, const Spectrum& before) {
+    for (std::size_t b = 0; b < std::min(after.size(), before.size()); ++b) after[b] -= before[b];
+    return after;
+  };
+  return {std::vector<double>(groups_ * recording.bands, 0.0), summary.missing_power,
+          brought(summary.sums.absorbed_power, gathered.absorbed_power),
+          brought(summary.sums.escaping_power, gathered.escaping_power)};
 }
 
 void ReplayWork::commit(const std::vector<IterationSummary>&, std::span<const double>, bool) {

@@ -22,12 +22,14 @@ LeafInterface wall(std::uint32_t front_leaf, std::uint32_t back_leaf, std::uint3
 }
 
 TEST(LeafMerge, WallsThatLeakIntoARoomTakeNoOtherRoomAlong) {
-  // Rooms 0 and 1 share a door, the walls of the building (2) leak into room 0, all around is 3.
-  const double volumes[] = {50.0, 50.0, 500.0, 5000.0};
-  const char touches_outside[] = {0, 0, 0, 1};
+  // Rooms 0 and 1 share a door, the walls of the building (2, and 4 that shows nothing) leak into
+  // room 0, all around is 3.
+  const double volumes[] = {50.0, 50.0, 500.0, 5000.0, 1.0};
+  const char touches_outside[] = {0, 0, 0, 1, 0};
   std::vector<LeafInterface> faces{wall(0, 2, 0, 60.0, 0.01, false),
                                    wall(1, 2, 1, 60.0, 0.0, false), wall(0, 1, 2, 8.0, 1.8, true),
-                                   wall(3, 2, 3, 200.0, 0.0, false)};
+                                   wall(3, 2, 3, 200.0, 0.0, false),
+                                   wall(2, 4, 4, 1.0, 1.0, false)};
   faces[2].framed_m2 = faces[2].open_m2;
   const LeafGroups groups = merge_leaves(volumes, touches_outside, faces, MergeConfig{});
   EXPECT_EQ(groups.group_of_leaf[2], groups.group_of_leaf[0]);

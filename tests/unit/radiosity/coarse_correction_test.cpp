@@ -15,8 +15,10 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   CoarseSystem system(2, 1);
   const std::vector<std::uint32_t> groups{0, 1};
   CoarseRow first, second;
-  first.absorbed = second.absorbed = {1.0};
-  first.escaping = second.escaping = {0.5};
+  first.absorbed = {1.0};
+  first.escaping = {0.5};
+  second.absorbed = {2.0};
+  second.escaping = {0.25};
   first.before = {3.0};
   first.after = {3.0 * (1.0 + both)};
   second.before = second.after = {3.0 * rho1};
@@ -29,8 +31,8 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
   EXPECT_NEAR(rho1 * (1.0 + x[1]), e2, 1e-5);
   EXPECT_NEAR(system.power(x), 3.0 * (e1 - 1.0 - both + e2 - rho1), 1e-4);
-  EXPECT_NEAR(system.absorbed(x).front(), x[0] + x[1], 1e-12);
-  EXPECT_NEAR(system.escaping(x).front(), 0.5 * (x[0] + x[1]), 1e-12);
+  EXPECT_NEAR(system.absorbed(x).front(), x[0] + 2.0 * x[1], 1e-12);
+  EXPECT_NEAR(system.escaping(x).front(), 0.5 * x[0] + 0.25 * x[1], 1e-12);
 }
 
 TEST(CoarseSystem, LightThatNobodyGivesDies) {
