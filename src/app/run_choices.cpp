@@ -36,6 +36,16 @@ std::string memory(const RunRecord& record) {
              : "the budget is full: clusters go to disk and come back";
 }
 
+std::string patches(const RunRecord& record) {
+  if (record.number("estimated_patch_error", 0.0) <= record.number("target_error", 1.0))
+    return "what is read off them is held to the asked error too";
+  const double most = record.number("patch_links", 0.0);
+  if (most <= 0.0 || record.number("links", 0.0) <= most)
+    return "what is read off them is not as good as asked";
+  return "what is read off them is not held to the asked error past --patch-links; a larger one, "
+         "or 0, with --resume makes them finer";
+}
+
 std::string visibility(const RunRecord& record) {
   if (word(record, "visibility") == "rays") return "rays: as asked";
   return "exact: rays only behind many polygons, where little light is at stake, and to estimate "
@@ -49,6 +59,7 @@ void describe_choices(RunRecord& record, bool basis_is_asked) {
   record.set("chosen_basis", RunRecord::Value(basis(word(record, "basis"), basis_is_asked)));
   record.set("chosen_cells", RunRecord::Value(cells(record.number("cells", 1.0))));
   record.set("chosen_memory", RunRecord::Value(memory(record)));
+  record.set("chosen_patches", RunRecord::Value(patches(record)));
   record.set("chosen_visibility", RunRecord::Value(visibility(record)));
 }
 

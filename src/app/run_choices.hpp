@@ -5,8 +5,9 @@
 
 namespace enfilade {
 
-/// Adds `chosen_bands`, `chosen_basis`, `chosen_cells`, `chosen_memory` and `chosen_visibility`, in
-/// words, to a record that has the figures of the run. `basis_is_asked`: by --basis.
+/// Adds `chosen_bands`, `chosen_basis`, `chosen_cells`, `chosen_memory`, `chosen_patches` and
+/// `chosen_visibility`, in words, to a record that has the figures of the run. `basis_is_asked`: by
+/// --basis.
 void describe_choices(RunRecord& record, bool basis_is_asked);
 
 }  // namespace enfilade

@@ -22,6 +22,7 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("scene_hash", hash_text(prepared.scene.hash));
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("target_error", config.target_error);
+  record.set("patch_links", config.patch_links);
   describe_strategies(record, config);
 }
 

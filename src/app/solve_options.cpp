@@ -33,7 +33,7 @@ constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
-    "--resume"};
+    "--resume",       "--patch-links"};
 
 Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
@@ -54,6 +54,12 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   sub.add_option("--target-error", o.target_error,
                  "Error to reach: relative, area-weighted L1 of the irradiance (0.02 = 2%)")
       ->check(number_between(0.0, 1.0))
+      ->capture_default_str()
+      ->group(group);
+  sub.add_option("--patch-links", o.patch_links,
+                 "Hold what is read off patches (surfaces.csv, pictures, model) to the target error "
+                 "as well, until there are more links than this; past it only light gathered for "
+                 "(probe) is. 0: whatever it takes")
       ->capture_default_str()
       ->group(group);
   sub.add_option(
@@ -221,6 +227,7 @@ SolveConfig SolveOptions::config() const {
   config.target_error = target_error;
   config.epsilon = epsilon;
   config.tolerance = tolerance;
+  config.patch_links = patch_links;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;

@@ -55,22 +55,22 @@ bool nothing_finer(std::span<const IterationSummary> history) {
   return false;
 }
 
-/// What the links are wrong by: both what is read off the patches and what is gathered from them
-/// shall be as good as asked.
-double links_error(const ErrorEstimate& error) {
-  return std::max(error.patches, error.total()) - error.iteration;
+/// What the links are wrong by. What is gathered from the patches shall be as good as asked, and
+/// what is read off them too (`patches`), where that does not take too many links.
+double links_error(const ErrorEstimate& error, bool patches) {
+  return std::max(patches ? error.patches : 0.0, error.total()) - error.iteration;
 }
 
 /// Much finer links brought the error down by less than half as fast as they should have: what is
 /// wrong does not come from the links.
-bool no_better(std::span<const IterationSummary> history) {
+bool no_better(std::span<const IterationSummary> history, bool patches) {
   const IterationSummary& now = history.back();
   for (std::size_t i = history.size() - 1; i-- > 0;) {
     const IterationSummary& then = history[i];
     const double finer = now.plan.link_tolerance / then.plan.link_tolerance;
     if (!then.plan.sample || !(finer <= 1.0 / 8.0)) continue;
-    return links_error(now.error) >
-           std::pow(finer, 0.5 / tolerance_order) * links_error(then.error);
+    return links_error(now.error, patches) >
+           std::pow(finer, 0.5 / tolerance_order) * links_error(then.error, patches);
   }
   return false;
 }
@@ -114,7 +114,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // What the links are wrong by shows before the light has come to rest.
   const bool calm = all_done && last.error.iteration_bound <=
                                     std::max(tolerance_of(config), 0.02 * config.target_error);
-  const double error = links_error(last.error);
+  const bool patches = config.patch_links == 0 || last.sums.links <= config.patch_links;
+  const double error = links_error(last.error, patches);
   const bool fine = error <= 0.9 * config.target_error;
   const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
   if (out_of_iterations) {
@@ -124,7 +125,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
     plan.sample = true;
     plan.sample_rays = rays_of_a_sample(config);
   } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history) &&
-             !no_better(history)) {
+             !no_better(history, patches)) {
     const double factor = std::pow(0.8 * config.target_error / error, tolerance_order);
     plan.link_tolerance *= std::clamp(factor, 1.0 / 32.0, 0.7);
     plan.refine = true;

@@ -151,6 +151,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
                                .epsilon = config.epsilon,
                                .tolerance = config.tolerance,
                                .target_error = config.target_error,
+                               .patch_links = config.patch_links,
                                .max_iterations = config.max_iterations};
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);

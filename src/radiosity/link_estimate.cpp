@@ -93,7 +93,9 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
 }
 
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
-                                     double tolerance) {
+                                     double tolerance, const Between& among) {
+  among_ = among;
+  all_between_ = false;
   return receiver.is_group() ? evaluate_group(receiver, shooter)
                              : evaluate_patch(receiver, shooter, tolerance);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -65,9 +66,16 @@ class LinkEstimator {
   LinkEstimator(const Occluders& occluders, VisibilityMethod method, WorkCount& work)
       : occluders_(&occluders), method_(method), work_(&work) {}
 
+  /// All polygons between the two sides of a link; null where they were not looked for, or are too
+  /// many.
+  using Between = std::shared_ptr<const std::vector<std::uint32_t>>;
+
   /// `tolerance`: received power below which an error does not matter; it decides how many rays are
-  /// cast.
-  LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
+  /// cast. `among`: `between` of a link whose parts the two sides are.
+  LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
+                        const Between& among);
+  /// Of the link that was evaluated last.
+  Between between() const;
   /// Largest power that could arrive, by distance and size alone.
   static double power_bound(const LinkSide& receiver, const LinkSide& shooter);
   /// Certain from the planes alone that no front side of one faces a front side of the other.
@@ -97,6 +105,7 @@ class LinkEstimator {
                      double tolerance);
   bool by_parts(const LinkSide& receiver, const LinkSide& shooter, Visibility& v);
   bool cut_parts(const Vec3& x, const LinkSide& shooter);
+  bool find_between(const LinkSide& receiver, const LinkSide& shooter);
   double small_shadows(const LinkSide& receiver, const LinkSide& shooter);
   bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter, int quarter,
                 class Random& random, std::uint32_t* blocker);
@@ -106,7 +115,9 @@ class LinkEstimator {
   WorkCount* work_;
   std::vector<double> weights_;  ///< per polygon of a shooting group
   Polygon polygon_;
+  Between among_;
   std::vector<std::uint32_t> between_;  ///< occluders of the link at hand
+  bool all_between_ = false;            ///< between_ has been looked for, and is complete
   VisibleParts parts_;
 };
 

@@ -39,16 +39,17 @@ bool LinkRefinement::refine(const Link& link, std::span<const float> transport,
     kept.add(link, transport);
     return false;
   }
-  pending_.push_back(link);
+  pending_.push_back({link, nullptr});
   while (!pending_.empty()) {
-    const Link next = pending_.back();
+    const Pending next = std::move(pending_.back());
     pending_.pop_back();
-    evaluate(next, shooter, kept);
+    evaluate(next.link, next.among, shooter, kept);
   }
   return true;
 }
 
-void LinkRefinement::evaluate(Link link, const PatchForest* shooting, LinkSet& kept) {
+void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
+                              const PatchForest* shooting, LinkSet& kept) {
   const LinkSide receiver = LinkSide::of(receiver_.patches(), receiver_.id(), link.receiver);
   const LinkSide shooter = shooter_side(link, shooting);
   const double tolerance = config_.link_tolerance;
@@ -67,18 +68,18 @@ void LinkRefinement::evaluate(Link link, const PatchForest* shooting, LinkSet& k
   // large.
   if (receiver.is_group() && (receiver.same_node(shooter) || 0.1 * bound > tolerance)) {
     split(receiver, shooter,
-          !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter));
+          !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter), nullptr);
     return;
   }
   if (shooter.is_group() && !receiver.is_group()) {
     const GroupNode& group = shooter.group();
     const bool near_or_many = shooter.cluster == receiver.cluster || group.end - group.begin > 32;
     if (near_or_many && bound > tolerance) {
-      split(receiver, shooter, false);
+      split(receiver, shooter, false, nullptr);
       return;
     }
   }
-  const LinkEstimate estimate = estimator_.evaluate(receiver, shooter, tolerance);
+  const LinkEstimate estimate = estimator_.evaluate(receiver, shooter, tolerance, among);
   if (estimate.invisible) return;
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
@@ -93,11 +94,13 @@ void LinkRefinement::evaluate(Link link, const PatchForest* shooting, LinkSet& k
     kept.add(link, transport);
     return;
   }
-  split(receiver, shooter, split_receiver);
+  const LinkEstimator::Between between = estimator_.between();
+  split(receiver, shooter, split_receiver, between != nullptr ? between : among);
 }
 
 /// Puts the links between the halves of one side and the other side on the list.
-void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver) {
+void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver,
+                           const LinkEstimator::Between& between) {
   ++work_.links_refined;
   Link link;
   link.shooter_cluster = shooter.cluster;
@@ -124,7 +127,7 @@ void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bo
   for (const PatchId half : {halves[1], halves[0]}) {
     link.receiver = split_receiver ? half : receiver.id;
     link.shooter = split_receiver ? shooter.id : half;
-    pending_.push_back(link);
+    pending_.push_back({link, between});
   }
 }
 

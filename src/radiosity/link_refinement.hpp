@@ -34,9 +34,11 @@ class LinkRefinement {
   LinkSide shooter_side(const Link& link, const PatchForest* shooter) const;
   bool fine_as_it_is(const Link& link, std::span<const float> transport,
                      const PatchForest* shooter) const;
-  void evaluate(Link link, const PatchForest* shooter, LinkSet& kept);
+  void evaluate(Link link, const LinkEstimator::Between& among, const PatchForest* shooter,
+                LinkSet& kept);
   bool can_split(const LinkSide& side) const;
-  void split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver);
+  void split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver,
+             const LinkEstimator::Between& between);
   static void describe(Link& link, const LinkSide& shooter, const LinkEstimate& estimate);
 
   ClusterState& receiver_;
@@ -45,7 +47,11 @@ class LinkRefinement {
   WorkCount& work_;
   LinkEstimator estimator_;
   std::unique_ptr<RefinementOracle> oracle_;
-  std::vector<Link> pending_;
+  struct Pending {
+    Link link;
+    LinkEstimator::Between among;
+  };
+  std::vector<Pending> pending_;
 };
 
 }  // namespace enfilade

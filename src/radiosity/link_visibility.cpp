@@ -11,6 +11,8 @@ namespace {
 /// More occluders than that are seen to by rays: cutting costs their number times the parts, rays
 /// do not.
 constexpr std::size_t most_occluders = 16;
+/// Up to so many are kept for a link's parts to be held against, instead of all polygons.
+constexpr std::size_t most_listed = 32;
 
 /// Where on its plane the light of these parts comes from, as x with normal n weighs it: three
 /// points a triangle, exact for quadratics (Strang and Fix).
@@ -153,11 +155,7 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
     from = &facing_shooter;
   }
   if (0.25 * power > tolerance && method_ == VisibilityMethod::exact) {
-    ++work_->shafts;
-    const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
-    const std::uint32_t other = occluders_->global(shooter.cluster, shooter.id.root);
-    if (occluders_->find_between(to->corners, from->corners, own, other, most_occluders,
-                                 between_)) {
+    if (find_between(*to, *from) && between_.size() <= most_occluders) {
       Visibility v;
       if (between_.empty()) return v;
       for (const std::uint32_t occluder : between_) {
@@ -169,6 +167,24 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
     }
   }
   return by_rays(*to, *from, power, tolerance);
+}
+
+LinkEstimator::Between LinkEstimator::between() const {
+  return all_between_ ? std::make_shared<const std::vector<std::uint32_t>>(between_) : nullptr;
+}
+
+bool LinkEstimator::find_between(const LinkSide& receiver, const LinkSide& shooter) {
+  ++work_->shafts;
+  const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
+  const std::uint32_t other = occluders_->global(shooter.cluster, shooter.id.root);
+  if (among_) {
+    occluders_->find_among(*among_, receiver.corners, shooter.corners, own, other, between_);
+    all_between_ = true;
+  } else {
+    all_between_ = occluders_->find_between(receiver.corners, shooter.corners, own, other,
+                                            most_listed, between_);
+  }
+  return all_between_;
 }
 
 /// Leaves in parts_ what x sees of the shooter past all that stands between; false where that is

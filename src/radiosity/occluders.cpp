@@ -48,6 +48,14 @@ bool Occluders::find_between(const Polygon& a, const Polygon& b, std::uint32_t s
   return found.size() <= most;
 }
 
+void Occluders::find_among(std::span<const std::uint32_t> among, const Polygon& a, const Polygon& b,
+                           std::uint32_t skip_a, std::uint32_t skip_b,
+                           std::vector<std::uint32_t>& found) const {
+  found.clear();
+  shafts_->find_among(among, shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b,
+                      found);
+}
+
 const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }
 
 bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const {

@@ -39,6 +39,10 @@ class Occluders {
   /// where there are more than `most`.
   bool find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b,
                     std::size_t most, std::vector<std::uint32_t>& found) const;
+  /// The same from what that found between two polygons of which a and b are parts.
+  void find_among(std::span<const std::uint32_t> among, const Polygon& a, const Polygon& b,
+                  std::uint32_t skip_a, std::uint32_t skip_b,
+                  std::vector<std::uint32_t>& found) const;
   const Polygon& polygon(std::uint32_t global) const;
   /// Nearer to a plane than this is on it, for shafts and shadows.
   double tolerance_m() const { return 1e-7 * extent_m_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace enfilade {
 namespace {
@@ -34,27 +35,48 @@ void add_support_planes(const Polygon& from, const Polygon& to, double tolerance
   }
 }
 
-/// 1: wholly outside some plane; 0: undecided.
-bool outside(const Box& box, std::span<const Plane> shaft, double tolerance_m) {
-  for (const Plane& plane : shaft) {
-    const Vec3 nearest{plane.n.x > 0 ? box.lo.x : box.hi.x, plane.n.y > 0 ? box.lo.y : box.hi.y,
-                       plane.n.z > 0 ? box.lo.z : box.hi.z};
-    if (plane.signed_distance(nearest) >= -tolerance_m) return true;
+using PlaneSet = std::uint64_t;  // bit i: plane i of the shaft; those from 64 on are in every set
+constexpr std::size_t in_sets = 64;
+
+/// Wholly outside it? Takes from `open` the planes that the box lies wholly inside of, which
+/// what is in the box need not be held against.
+bool outside(const Box& box, const Shaft& shaft, double tolerance_m, PlaneSet& open) {
+  if (!box.overlaps(shaft.box)) return true;
+  const std::vector<Plane>& planes = shaft.planes;
+  const Vec3 center = box.center(), half = 0.5 * box.extent();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const PlaneSet bit = i < in_sets ? PlaneSet{1} << i : 0;
+    if (bit != 0 && (open & bit) == 0) continue;
+    const double middle = planes[i].signed_distance(center) + tolerance_m;
+    const double reach = glm::dot(glm::abs(planes[i].n), half);
+    if (middle - reach >= 0.0) return true;
+    if (middle + reach < 0.0) open &= ~bit;
   }
   return false;
 }
 
 /// Does any of the polygon lie deeper than the tolerance inside all planes?
-bool reaches_into(const Polygon& polygon, std::span<const Plane> shaft, double tolerance_m,
-                  Polygon& current, Polygon& next) {
+bool reaches_into(const Polygon& polygon, std::span<const Plane> planes, double tolerance_m,
+                  PlaneSet open, Polygon& current, Polygon& next) {
+  // Most lie wholly outside one plane; the others need be cut only by the planes that they cross.
+  PlaneSet crossed = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i < in_sets && (open >> i & 1) == 0) continue;
+    bool inside = false, outside = false;
+    for (const Vec3& p : polygon) {
+      (planes[i].signed_distance(p) < -tolerance_m ? inside : outside) = true;
+    }
+    if (!inside) return false;
+    if (outside && i < in_sets) crossed |= PlaneSet{1} << i;
+  }
   current = polygon;
-  for (const Plane& plane : shaft) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i < in_sets && (crossed >> i & 1) == 0) continue;
     next.clear();
-    const double d = plane.d - tolerance_m;
     Vec3 a = current.back();
-    double side_a = glm::dot(plane.n, a) - d;
+    double side_a = planes[i].signed_distance(a) + tolerance_m;
     for (const Vec3& b : current) {
-      const double side_b = glm::dot(plane.n, b) - d;
+      const double side_b = planes[i].signed_distance(b) + tolerance_m;
       if ((side_a < 0.0) != (side_b < 0.0))
         next.push_back(a + (b - a) * (side_a / (side_a - side_b)));
       if (side_b < 0.0) next.push_back(b);
@@ -81,20 +103,22 @@ bool touches(const Polygon& polygon, const Vec3& p, double reach_m) {
 
 }  // namespace
 
-std::vector<Plane> shaft_between(const Polygon& a, const Polygon& b, double tolerance_m) {
-  std::vector<Plane> planes;
+Shaft shaft_between(const Polygon& a, const Polygon& b, double tolerance_m) {
+  Shaft shaft{bounds(a), {}};
+  shaft.box.add(bounds(b));
   for (const Polygon* polygon : {&a, &b}) {
     if (polygon->size() < 3) continue;  // a point light has no front
     const Plane front = plane_of(*polygon);
-    planes.push_back({-front.n, -front.d});
+    shaft.planes.push_back({-front.n, -front.d});
   }
-  add_support_planes(a, b, tolerance_m, planes);
-  add_support_planes(b, a, tolerance_m, planes);
-  return planes;
+  add_support_planes(a, b, tolerance_m, shaft.planes);
+  add_support_planes(b, a, tolerance_m, shaft.planes);
+  return shaft;
 }
 
 ShaftTree::ShaftTree(std::vector<Polygon> polygons)
     : polygons_(std::move(polygons)), order_(polygons_.size()) {
+  for (const Polygon& polygon : polygons_) boxes_.push_back(bounds(polygon));
   std::iota(order_.begin(), order_.end(), 0u);
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
@@ -104,9 +128,8 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   nodes_.emplace_back();
   Box box, centers;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const Box b = bounds(polygons_[order_[i]]);
-    box.add(b);
-    centers.add(b.center());
+    box.add(boxes_[order_[i]]);
+    centers.add(boxes_[order_[i]].center());
   }
   nodes_[index].box = box;
   nodes_[index].begin = begin;
@@ -118,8 +141,7 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](std::uint32_t i, std::uint32_t j) {
-                     const double ci = bounds(polygons_[i]).center()[axis];
-                     const double cj = bounds(polygons_[j]).center()[axis];
+                     const double ci = boxes_[i].center()[axis], cj = boxes_[j].center()[axis];
                      return ci != cj ? ci < cj : i < j;
                    });
   const std::int32_t left = build(begin, middle);
@@ -129,35 +151,54 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-bool ShaftTree::blocked(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+bool ShaftTree::blocked(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a,
                         std::uint32_t skip_b) const {
   std::vector<std::uint32_t> found;
   find(shaft, tolerance_m, skip_a, skip_b, 0, found);
   return !found.empty();
 }
 
-void ShaftTree::find(std::span<const Plane> shaft, double tolerance_m, std::uint32_t skip_a,
+void ShaftTree::find(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a,
                      std::uint32_t skip_b, std::size_t most,
                      std::vector<std::uint32_t>& found) const {
   if (nodes_.empty()) return;
   Polygon scratch_a, scratch_b;
-  std::vector<std::int32_t> stack{0};
+  struct Visit {
+    std::int32_t node;
+    PlaneSet open;
+  };
+  std::vector<Visit> stack{{0, ~PlaneSet{0}}};
   while (!stack.empty()) {
-    const Node& node = nodes_[stack.back()];
+    auto [index, open] = stack.back();
+    const Node& node = nodes_[index];
     stack.pop_back();
-    if (outside(node.box, shaft, tolerance_m)) continue;
+    if (outside(node.box, shaft, tolerance_m, open)) continue;
     if (node.left >= 0) {
-      stack.push_back(node.left);
-      stack.push_back(node.right);
+      stack.push_back({node.left, open});
+      stack.push_back({node.right, open});
       continue;
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const std::uint32_t k = order_[i];
-      if (k == skip_a || k == skip_b) continue;
-      if (!reaches_into(polygons_[k], shaft, tolerance_m, scratch_a, scratch_b)) continue;
+      PlaneSet crossed = open;
+      if (k == skip_a || k == skip_b || outside(boxes_[k], shaft, tolerance_m, crossed) ||
+          !reaches_into(polygons_[k], shaft.planes, tolerance_m, crossed, scratch_a, scratch_b))
+        continue;
       found.push_back(k);
       if (found.size() > most) return;
     }
+  }
+}
+
+void ShaftTree::find_among(std::span<const std::uint32_t> among, const Shaft& shaft,
+                           double tolerance_m, std::uint32_t skip_a, std::uint32_t skip_b,
+                           std::vector<std::uint32_t>& found) const {
+  Polygon scratch_a, scratch_b;
+  for (const std::uint32_t k : among) {
+    PlaneSet open = ~PlaneSet{0};
+    if (k == skip_a || k == skip_b || outside(boxes_[k], shaft, tolerance_m, open)) continue;
+    if (reaches_into(polygons_[k], shaft.planes, tolerance_m, open, scratch_a, scratch_b))
+      found.push_back(k);
   }
 }
 

@@ -105,6 +105,20 @@ TEST(IterationPlan, RefinesUntilTheAskedErrorIsEstimated) {
   EXPECT_FALSE(stuck.converged);
 }
 
+TEST(IterationPlan, PatchesAreHeldToTheTargetWhileTheLinksAreFew) {
+  PlanConfig asked{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
+                                           sampled(3, 0.06)};
+  history.back().error.discretisation = 0.015;
+  asked.patch_links = history.back().sums.links;
+  EXPECT_FALSE(next_plan(history, asked).finished);
+  asked.patch_links -= 1;
+  EXPECT_TRUE(next_plan(history, asked).converged);
+  history.back().error.discretisation = 0.05;  // gathered light is held to it all the same
+  EXPECT_FALSE(next_plan(history, asked).finished);
+}
+
 TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   IterationSummary s = summary(7, 0.03125, 12);
   s.plan.link_tolerance = 0.125;
