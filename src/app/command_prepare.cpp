@@ -68,8 +68,8 @@ void add_prepare(CLI::App& cli, Command& chosen) {
                 "Draw no plans of the storeys into RUN/pictures");
   sub->footer(
       "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
-      "solve does this by itself where it has not been done. One rank works, whatever mpirun "
-      "starts.");
+      "solve does this by itself where it has not been done, with --no-proof: the proofs pay where "
+      "it makes millions of links. One rank works, whatever mpirun starts.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_prepare(*options, session); }};
   });

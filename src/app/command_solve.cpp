@@ -72,8 +72,11 @@ void run_solve(const SolveOptions& options, Session& session) {
   Machine& machine = session.machine(options.cost_model);
 
   Warnings warnings;
-  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory, {},
-                                      warnings, console.progress(), config.resume);
+  PrepareConfig prepare_config;  // proofs of what is hidden pay where there are millions of links
+  prepare_config.visibility.prove_hidden = false;
+  Prepared prepared =
+      prepare_on_root(communicator, options.scene_file(), config.run_directory, prepare_config,
+                      warnings, console.progress(), config.resume);
   console.warnings(warnings);
 
   communicator.on_root([&] {

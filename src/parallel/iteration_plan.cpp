@@ -114,7 +114,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // What the links are wrong by shows before the light has come to rest.
   const bool calm = all_done && last.error.iteration_bound <=
                                     std::max(tolerance_of(config), 0.02 * config.target_error);
-  const bool patches = config.patch_links == 0 || last.sums.links <= config.patch_links;
+  const bool patches =
+      (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
+      !no_better(history, true);
   const double error = links_error(last.error, patches);
   const bool fine = error <= 0.9 * config.target_error;
   const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
@@ -125,7 +127,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
     plan.sample = true;
     plan.sample_rays = rays_of_a_sample(config);
   } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history) &&
-             !no_better(history, patches)) {
+             !no_better(history, false)) {
     const double factor = std::pow(0.8 * config.target_error / error, tolerance_order);
     plan.link_tolerance *= std::clamp(factor, 1.0 / 32.0, 0.7);
     plan.refine = true;

@@ -194,6 +194,18 @@ Prepared load_prepared(const std::string& run_directory) {
   return p;
 }
 
+namespace {
+
+/// One whose pairs are proved as well will do.
+bool serves(const std::string& run_directory, std::uint64_t scene_hash, PrepareConfig config) {
+  if (is_prepared(run_directory, scene_hash, config)) return true;
+  if (config.visibility.prove_hidden) return false;
+  config.visibility.prove_hidden = true;
+  return is_prepared(run_directory, scene_hash, config);
+}
+
+}  // namespace
+
 Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
                          const std::string& run_directory, const PrepareConfig& config,
                          Warnings& warnings, const Progress& progress, bool resume) {
@@ -202,7 +214,7 @@ Prepared prepare_on_root(Communicator& communicator, const std::string& scene_fi
     if (!scene_file.empty()) {
       Warnings found;
       const Scene scene = read_scene(scene_file, found);
-      if (!is_prepared(run_directory, scene.hash, config)) {
+      if (!serves(run_directory, scene.hash, config)) {
         if (resume) refuse_to_drop(run_directory);
         prepared = prepare(scene, run_directory, config, found, progress);
       }

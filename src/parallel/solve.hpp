@@ -27,7 +27,7 @@ struct SolveConfig {
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
   /// With more links than this, what is read off patches is not held to target_error; 0 = never
-  std::uint64_t patch_links = 300000;
+  std::uint64_t patch_links = 500000;
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
   MemoryManager memory_manager = MemoryManager::own;
