@@ -51,10 +51,6 @@ void write_trace(const std::string& run_directory, Communicator& communicator,
                         encode_png(to_bitmap(timeline), timeline.title));
 }
 
-std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
-  return history_of(read_manifest(RunLayout(run_directory)));
-}
-
 void check_local_directory(const std::string& directory) {
   std::error_code code;
   std::filesystem::create_directories(directory, code);

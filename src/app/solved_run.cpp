@@ -1,16 +1,27 @@
 #include "app/solved_run.hpp"
 
 #include "base/error.hpp"
+#include "parallel/history.hpp"
 #include "store/solution.hpp"
 
 namespace enfilade {
+namespace {
+
+PointGatherConfig with_patch_error(PointGatherConfig config, const std::string& run_directory) {
+  const std::vector<IterationSummary> history = committed_iterations(run_directory);
+  if (!history.empty()) config.patch_error = history.back().error.patches;
+  return config;
+}
+
+}  // namespace
 
 SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory,
                      const PointGatherConfig& config)
     : prepared_(std::move(prepared)),
       solution_(read_solution(run_directory)),
       occluders_(prepared_.clusters),
-      gather_(solution_, prepared_.scene.lights, occluders_, config) {}
+      gather_(solution_, prepared_.scene.lights, occluders_,
+              with_patch_error(config, run_directory)) {}
 
 ProbeMethod probe_method(const std::string& name) {
   if (name == "gather") return ProbeMethod::gather;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "parallel/iteration_plan.hpp"
 #include "store/manifest.hpp"
+#include "store/run_layout.hpp"
 
 namespace enfilade {
 
@@ -15,6 +17,10 @@ inline std::vector<IterationSummary> history_of(const std::optional<Manifest>& m
   if (!manifest) return history;
   for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
   return history;
+}
+
+inline std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
+  return history_of(read_manifest(RunLayout(run_directory)));
 }
 
 }  // namespace enfilade

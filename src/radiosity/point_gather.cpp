@@ -24,6 +24,7 @@ struct PointGather::Impl {
   void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
                 std::span<const double> weights, const BrightPolygons::Counted& counted,
                 Random& random, Spectrum& e) const;
+  double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
   Vec3 lifted(const Vec3& p, const Vec3& n) const;
 };
@@ -42,8 +43,18 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
   }
 }
 
-/// Adds share * what a ray brings. Where it ends nearer than the patch there is large, the patch's
-/// light is an average over more than what is seen from here (a gap below a cupboard, a corner);
+/// A patch's light, an average over all of it, does for a ray that comes from farther away than
+/// this: its length at a patch error of 1%, and by the root of the error else, as what it is worth
+/// to know better costs noise.
+double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygon,
+                                const Vec3& at) const {
+  const double length_m =
+      std::sqrt(12.0) * patches.node(patches.leaf_at(polygon, at)).shape.deviations().x;
+  return length_m * std::clamp(std::sqrt(config.patch_error / 0.01), 0.25, 4.0);
+}
+
+/// Adds share * what a ray brings. Where it ends near a patch, the patch's light is an average over
+/// more than what is seen from here (a gap below a cupboard, a corner);
 /// from such a point the light is sought again, with one ray at random, and so on. Only
 /// what differs from what is counted in that direction already.
 void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
@@ -68,8 +79,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     for (std::size_t b = 0; b < bands && seen != nullptr; ++b) {
       e[b] -= share * patches.radiosity(seen->node)[b * terms];
     }
-    const double patch_m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
-    if (hit.distance_m * hit.distance_m > patch_m2 || bright.contains(hit.polygon)) {
+    if (hit.distance_m > far_m(patches, ref.polygon, at) || bright.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
       return;

@@ -13,6 +13,9 @@ namespace enfilade {
 struct PointGatherConfig {
   int rays = 4096;  ///< over the hemisphere
   std::uint64_t seed = 1;
+  /// Relative error of what is read off the patches. The larger it is, the farther away a patch has
+  /// to be for its own light to be taken.
+  double patch_error = 0.01;
 };
 
 /// Holds on to the clusters (in order of their ids), lights and occluders, which must outlive it.
