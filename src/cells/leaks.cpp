@@ -68,7 +68,9 @@ class LeakFinder {
       found.push_back({key.second, room, area_m2(portal->polygon), width_of(portal->polygon),
                        path_through(*portal, room)});
     }
-    for (const std::uint32_t leaf : lost) {
+    std::vector<std::uint32_t> all_lost(lost.begin(), lost.end());
+    for (const std::uint32_t leaf : enclosed_at_border()) all_lost.push_back(leaf);
+    for (const std::uint32_t leaf : all_lost) {
       std::vector<Vec3> path{middle_of(space_.tree.leaves[leaf])};
       walk_out(leaf, path);
       found.push_back({LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0,
@@ -78,6 +80,44 @@ class LeakFinder {
   }
 
  private:
+  /// Leaves at the border, outside therefore, that are rooms but for a wall; of those that lie next
+  /// to each other the first.
+  std::vector<std::uint32_t> enclosed_at_border() const {
+    std::vector<double> front(space_.tree.leaves.size(), 0.0);
+    for (const LeafInterface& face : space_.interfaces) {
+      front[face.front_leaf] += face.faces_front_m2;
+      front[face.back_leaf] += face.faces_back_m2;
+    }
+    const double least_m3 = config_.border_room_share * middling_room_m3();
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t leaf = 0; leaf < front.size(); ++leaf) {
+      const Region& region = space_.tree.leaves[leaf];
+      if (!touches_[leaf] || front[leaf] <= 0.0 || volume_m3(region) < least_m3) continue;
+      double boundary = 0.0;
+      for (const Facet& facet : region.facets) boundary += area_m2(facet.polygon);
+      if (front[leaf] < config_.border_front_share * boundary) continue;
+      const auto& interfaces = cutter_.interfaces_of(leaf);
+      const bool is_known = std::ranges::any_of(interfaces, [&](std::uint32_t i) {
+        const LeafInterface& face = space_.interfaces[i];
+        const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+        return face.open_m2 > 0.0 && std::ranges::find(found, other) != found.end();
+      });
+      if (!is_known) found.push_back(leaf);
+    }
+    return found;
+  }
+
+  double middling_room_m3() const {
+    std::vector<double> rooms;
+    for (std::uint32_t group = 0; group < space_.groups.kinds.size(); ++group) {
+      if (kind(CellId(group)) == CellKind::room) rooms.push_back(volume(group));
+    }
+    if (rooms.empty()) return 0.0;
+    const auto middle = rooms.begin() + static_cast<std::ptrdiff_t>(rooms.size() / 2);
+    std::nth_element(rooms.begin(), middle, rooms.end());
+    return *middle;
+  }
+
   std::map<std::uint32_t, std::vector<const Portal*>> to_outside() const {
     std::map<std::uint32_t, std::vector<const Portal*>> by_room;
     for (const Portal& portal : portals_) {

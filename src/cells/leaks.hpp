@@ -31,6 +31,10 @@ struct LeakConfig {
   /// An open side is larger than this share of V^(2/3), and less of its rim is framed than of a
   /// door's (MergeConfig::framed_share).
   double side_share = 0.1, framed_share = 0.45;
+  /// At the border of the scene's box, a room that lacks a whole wall is one leaf of whose boundary
+  /// fronts are this share (of a cube, five of six), and no smaller than this share of a middling
+  /// room.
+  double border_front_share = 0.7, border_room_share = 0.25;
 };
 
 /// build_cells, and the leaks of its cells: the worst of a kind for each, in the order of their

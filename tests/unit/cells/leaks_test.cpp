@@ -108,5 +108,31 @@ TEST(Leaks, ARoomThatIsTooOpenIsLostToTheOutside) {
   EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
 }
 
+TEST(Leaks, ARoomWithoutOneOfItsWallsIsToldWhereNoWallRunsOn) {
+  // Not one polygon in the plane of the wall that is missing.
+  plan::Plan plan = plan::two_rooms();
+  std::erase_if(plan.polygons, [](const Polygon& p) { return bounds(p).hi.x == 0.0; });
+  const auto move = plan::turn_and_move(100.0);
+  plan.transform(move);
+  const Found found = find(plan);
+  ASSERT_EQ(found.leaks.size(), 1u);
+  EXPECT_EQ(found.leaks[0].kind, LeakKind::lost_room);
+  EXPECT_LT(glm::distance(found.leaks[0].path.front(), move({2, 2, 1.25})), 0.3);
+  const CellId right = found.complex.locate(move({8, 2, 1}));
+  ASSERT_TRUE(right.valid());
+  EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
+}
+
+TEST(Leaks, ACourtBetweenThreeWallsIsNoLostRoom) {
+  plan::Plan plan = plan::two_rooms();
+  const Vec3 z(0, 0, 2.5);
+  plan.rectangle({4, 4, 0}, {6, 0, 0}, {0, 4, 0});  // its ground
+  plan.rectangle({4, 4, 0}, z, {6, 0, 0});
+  plan.rectangle({4, 8, 0}, {6, 0, 0}, z);
+  plan.rectangle({10, 4, 0}, z, {0, 4, 0});
+  const Found found = find(plan);
+  EXPECT_TRUE(found.leaks.empty());
+}
+
 }  // namespace
 }  // namespace enfilade
