@@ -79,6 +79,8 @@ class Study:
 
     def rows(self, scene: Path):
         recorded = (scene / "stats.json").exists()
+        if recorded and json.loads((scene / "stats.json").read_text()).get("coarse_correction"):
+            sys.exit(f"{scene}: solved with the coarse correction, which is not the paper's scheme; solve it with --no-coarse-correction")
         do = self.replay if recorded else self.solve
         paper = do(scene, "paper", [])
         for name, options in experiments(int(paper["peak_cluster_bytes"])).items():

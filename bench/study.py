@@ -63,9 +63,16 @@ def scene_file(case: dict, out: Path, programs: Path) -> Path:
     return path
 
 
+def scene_key(case: dict) -> list:
+    """Tells a scene from others; a file by what is in it."""
+    if isinstance(case["scene"], str):
+        return [case["scene"], hashlib.sha256((ROOT / case["scene"]).read_bytes()).hexdigest()]
+    return case["scene"]
+
+
 def prepare(case: dict, out: Path, programs: Path, directory: Path) -> None:
     """Makes `directory` a run that is prepared and not solved yet."""
-    prepared = out / f"prepared-{digest([case['scene'], case.get('prepare', [])])}"
+    prepared = out / f"prepared-{digest([scene_key(case), case.get('prepare', [])])}"
     if not (prepared / "graph.txt").exists():
         run([programs / "enfilade", "prepare", scene_file(case, out, programs), "-o", prepared, "--no-pictures",
              *case.get("prepare", [])], out / "prepare.log")
@@ -77,7 +84,7 @@ def recorded_run(case: dict, out: Path, programs: Path) -> Path:
     """The run that is replayed: solved once, on one rank."""
     if "run" in case:
         return Path(case["run"]).resolve()
-    directory = out / f"run-{digest([case['scene'], case.get('prepare', []), case['solve']])}"
+    directory = out / f"run-{digest([scene_key(case), case.get('prepare', []), case['solve']])}"
     if not (directory / "stats.json").exists():
         prepare(case, out, programs, directory)
         run([programs / "enfilade", "solve", directory, "-o", directory, "--no-pictures", *case["solve"]],
@@ -131,7 +138,7 @@ def run_case(case: dict, recorded: Path | None, out: Path, programs: Path) -> di
                *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", target,
                "--cost-model", ROOT / model, "--quiet", *case.get("options", [])]
     files = "".join(Path(f).read_text() for f in (platform, directory / "hosts", ROOT / model))
-    made = "" if recorded else digest([case["scene"], case.get("prepare", [])])
+    made = "" if recorded else digest([scene_key(case), case.get("prepare", [])])
     key = hashlib.sha256((" ".join(map(str, command)) + made + files).encode()).hexdigest()
     mark, stats = directory / "done", target / "stats.json"
     if not (stats.exists() and mark.exists() and mark.read_text() == key):

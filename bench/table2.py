@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""table2.py [-o DIRECTORY] [--build BUILD] [--run RUN] [--chart PNG] [--no-background]
+"""table2.py [-o DIRECTORY] [--build BUILD] [--run RUN] [--set KEY=VALUE ...] [--chart PNG]
+          [--no-background]
 
 Table 2 of RR-3425 in one run: replays its rows (study table2), then again with others at the disk and on the wire, one
 share a row, inferred. Leaves DIRECTORY/table2.csv and prints it beside the paper, beside the null model
