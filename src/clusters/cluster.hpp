@@ -16,6 +16,7 @@ namespace enfilade {
 struct ClusterPolygon {
   SurfaceId surface;
   Polygon polygon;
+  std::vector<Segment> contacts{};  ///< where others touch or cross it: light breaks there
 };
 
 /// Polygons of one cell: an object, a polygon, or neighbouring polygons.
@@ -35,6 +36,11 @@ struct ClusterConfig {
       0.25;  ///< polygons longer than this share of the cell are not mixed with others
   std::size_t pool_polygons =
       16;  ///< loose single polygons are pooled by neighbourhood up to this many
+};
+
+struct ContactConfig {
+  double min_length_relative = 1e-3;  ///< of the scene's diagonal: shorter ones are left out
+  std::size_t most = 32;              ///< a polygon
 };
 
 /// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of

@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view mark = "enfilade-clusters-1";
+constexpr std::string_view mark = "enfilade-clusters-2";
 
 }  // namespace
 
@@ -23,6 +23,7 @@ std::string to_bytes(std::span<const Cluster> clusters) {
     for (const ClusterPolygon& polygon : cluster.polygons) {
       out.put(polygon.surface.value);
       out.put_all<std::uint32_t>(polygon.polygon);
+      out.put_all<std::uint32_t>(polygon.contacts);
     }
   }
   return out.text();
@@ -44,6 +45,7 @@ std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
     for (ClusterPolygon& polygon : cluster.polygons) {
       polygon.surface = SurfaceId(in.get<std::uint32_t>());
       polygon.polygon = in.get_all<Vec3, std::uint32_t>();
+      polygon.contacts = in.get_all<Segment, std::uint32_t>();
     }
   }
   in.expect_end();

@@ -125,4 +125,22 @@ std::vector<Segment> ContactSegments::inside(std::size_t i) const {
   return distinct;
 }
 
+void find_contacts(std::span<Cluster> clusters, double tolerance_m, const ContactConfig& config) {
+  Box box;
+  std::vector<const Polygon*> polygons;
+  for (const Cluster& cluster : clusters) {
+    box.add(cluster.bounds);
+    for (const ClusterPolygon& p : cluster.polygons) polygons.push_back(&p.polygon);
+  }
+  const ContactSegments contacts(polygons, tolerance_m,
+                                 config.min_length_relative * box.diagonal());
+  std::size_t next = 0;
+  for (Cluster& cluster : clusters) {
+    for (ClusterPolygon& p : cluster.polygons) {
+      p.contacts = contacts.inside(next++);
+      if (p.contacts.size() > config.most) p.contacts.resize(config.most);
+    }
+  }
+}
+
 }  // namespace enfilade

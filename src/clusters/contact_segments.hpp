@@ -5,14 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "clusters/cluster.hpp"
 #include "scene/polygon.hpp"
 
 namespace enfilade {
-
-struct Segment {
-  Vec3 a{0.0}, b{0.0};
-  double length_m() const { return glm::length(b - a); }
-};
 
 /// Finds the contacts of one polygon of a scene with all others, over an R-tree of their boxes.
 class ContactSegments {
@@ -31,5 +27,8 @@ class ContactSegments {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Fills ClusterPolygon::contacts: of each polygon the `most` longest.
+void find_contacts(std::span<Cluster> clusters, double tolerance_m, const ContactConfig& config);
 
 }  // namespace enfilade

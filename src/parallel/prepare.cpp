@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "clusters/contact_segments.hpp"
 #include "parallel/leak_file.hpp"
 #include "parallel/peak_memory.hpp"
 #include "parallel/run_mark.hpp"
@@ -24,10 +25,11 @@ std::string text_of(const std::string& path) {
 /// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
 /// option compiles unless it is put here too.
 std::string options_of(const PrepareConfig& config) {
-  const auto& [cells, sealed, clusters, visibility] = config;
+  const auto& [cells, sealed, clusters, contacts, visibility] = config;
   const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
+  const auto& [min_contact_relative, most_contacts] = contacts;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
   const auto& [first_rays, rays, max_pair_parts, max_depth, min_pair_parts, all_pair_parts,
                window_rays, window_parts, window_planes, max_planes, most_open, max_pieces,
@@ -45,6 +47,8 @@ std::string options_of(const PrepareConfig& config) {
                                        {"cluster_max_extent_share", max_extent_share},
                                        {"cluster_large_share", large_share},
                                        {"cluster_pool_polygons", pool_polygons},
+                                       {"contact_min_length_relative", min_contact_relative},
+                                       {"contact_most", most_contacts},
                                        {"visibility_max_passes", max_passes},
                                        {"visibility_prove_hidden", prove_hidden},
                                        {"occlusion_first_rays", first_rays},
@@ -137,6 +141,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
   report_progress(progress, "clusters", 0.5);
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters);
+  find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
   stopwatch.end_of("clusters");
   report_progress(progress, "visibility", 0.6);
   p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);

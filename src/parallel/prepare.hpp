@@ -21,6 +21,7 @@ struct PrepareConfig {
   CellComplex::Config cells;
   SealedConfig sealed;
   ClusterConfig clusters;
+  ContactConfig contacts;
   VisibilityConfig visibility;
 };
 
@@ -49,9 +50,10 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
                  const PrepareConfig& config);
 
 /// Rank 0 prepares (reading `scene_file`, a JSON scene; where RUN is prepared for it already, and
-/// with this configuration, or with proofs of what is hidden besides, that is kept); then every rank has it. `scene_file` may be empty: RUN
-/// must be prepared then. With `resume`, a RUN that has a solution of another scene is refused
-/// (InputError), not prepared anew. `warnings` become those of the scene, whenever it was prepared.
+/// with this configuration, or with proofs of what is hidden besides, that is kept); then every
+/// rank has it. `scene_file` may be empty: RUN must be prepared then. With `resume`, a RUN that has
+/// a solution of another scene is refused (InputError), not prepared anew. `warnings` become those
+/// of the scene, whenever it was prepared.
 Prepared prepare_on_root(Communicator& communicator, const std::string& scene_file,
                          const std::string& run_directory, const PrepareConfig& config,
                          Warnings& warnings, const Progress& progress = {}, bool resume = false);

@@ -72,7 +72,7 @@ double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_
   if (open == rays) return factor;
   if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
   if (factor <= threshold || depth >= 16) return factor * open / rays;
-  auto [low, high] = shape.bisect();
+  auto [low, high] = shape.halves(shape.cut({}));
   return visible_factor(p, n, own, b, low, threshold, depth + 1) +
          visible_factor(p, n, own, b, high, threshold, depth + 1);
 }

@@ -25,6 +25,9 @@ PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
   const Surface& surface = scene.surfaces[polygon.surface.index()];
   frame.reflectance = surface.reflectance;
   frame.exitance = surface.exitance;
+  for (const Segment& s : polygon.contacts) {
+    frame.lines.push_back({frame.project(s.a), frame.project(s.b)});
+  }
   return frame;
 }
 
@@ -53,6 +56,7 @@ class ClusterStateCodec {
       w.put(frame.n);
       w.put_all(frame.reflectance);
       w.put_all(frame.exitance);
+      w.put_all(frame.lines);
     }
     for (std::size_t k = 0; k < f.frames_.size(); ++k) write_node(f.nodes_[k], w);
     w.put_all(f.groups_);
@@ -72,6 +76,7 @@ class ClusterStateCodec {
       frame.n = r.get<Vec3>();
       frame.reflectance = r.get_all<double>();
       frame.exitance = r.get_all<double>();
+      frame.lines = r.get_all<MeshLine>();
     }
     for (std::size_t k = 0; k < f.frames_.size(); ++k) f.nodes_.push_back(read_node(r));
     f.groups_ = r.get_all<GroupNode>();

@@ -48,7 +48,7 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
   int missing = 0;
   for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
   while (missing-- > 0) {
-    auto halves = side.shape.bisect();
+    auto halves = side.shape.halves(side.shape.cut(side.frame().lines));
     side.shape =
         ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
   }

@@ -28,6 +28,17 @@ struct PatchId {
   auto operator<=>(const PatchId&) const = default;
 };
 
+/// Where another polygon touches or crosses one, in that one's frame.
+struct MeshLine {
+  Vec2 a{0.0}, b{0.0};
+};
+
+/// How a patch is cut in two: one half lies where dot(axis, p) < at.
+struct PatchCut {
+  Vec2 axis{1.0, 0.0};
+  double at = 0.0;
+};
+
 /// A patch's shape in the frame of its polygon, with its area moments.
 struct PatchShape {
   std::vector<Vec2> vertices;  ///< counter-clockwise
@@ -39,8 +50,10 @@ struct PatchShape {
   /// Unit direction of the greatest extent (first principal axis); the frame's own axis where there
   /// is none.
   Vec2 long_axis() const;
-  /// The two halves, cut through the centroid across the longest axis; deterministic.
-  std::pair<PatchShape, PatchShape> bisect() const;
+  /// Along the line that parts it best among those that run through it for the most part and leave
+  /// neither side a sliver; else through the centroid across the longest axis. Deterministic.
+  PatchCut cut(std::span<const MeshLine> lines) const;
+  std::pair<PatchShape, PatchShape> halves(const PatchCut& cut) const;
   /// Four points at centroid +- s1 e1 +- s2 e2 (e principal axes, s standard deviations), each with
   /// a quarter of the area: exact for quadratics on any polygon, and on a rectangle the 2 x 2 Gauss
   /// rule.
@@ -58,6 +71,7 @@ struct PolygonFrame {
   SurfaceId surface;
   Vec3 origin{0.0}, u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0}, n{0.0, 0.0, 1.0};
   std::vector<double> reflectance, exitance;  ///< per band
+  std::vector<MeshLine> lines;                ///< patches are cut along these where they can be
 
   Vec3 at(const Vec2& p) const { return origin + p.x * u + p.y * v; }
   Vec2 project(const Vec3& p) const { return {glm::dot(p - origin, u), glm::dot(p - origin, v)}; }

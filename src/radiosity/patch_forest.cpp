@@ -87,9 +87,10 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
   ENFILADE_CHECK(nodes_[leaf].leaf(), std::to_string(leaf));
   const std::size_t first = nodes_.size();
   const PatchShape parent = nodes_[leaf].shape;
-  auto halves = parent.bisect();
-  nodes_[leaf].split_axis = parent.long_axis();
-  nodes_[leaf].split_at = glm::dot(nodes_[leaf].split_axis, parent.centroid);
+  const PatchCut cut = parent.cut(frames_[nodes_[leaf].id.root].lines);
+  auto halves = parent.halves(cut);
+  nodes_[leaf].split_axis = cut.axis;
+  nodes_[leaf].split_at = cut.at;
   nodes_[leaf].first_child = static_cast<std::int32_t>(first);
   for (int side = 0; side < 2; ++side) {
     PatchNode child;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,23 @@ std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& ver
     side_a = side_b;
   }
   return {std::move(below), std::move(above)};
+}
+
+/// Where the line with dot(axis, p) = at enters a convex polygon and leaves it, along `along`.
+std::pair<double, double> chord(const std::vector<Vec2>& vertices, const Vec2& axis, double at,
+                                const Vec2& along) {
+  double first = 1e300, last = -1e300;
+  Vec2 a = vertices.back();
+  for (const Vec2& b : vertices) {
+    const double side_a = glm::dot(axis, a) - at, side_b = glm::dot(axis, b) - at;
+    if ((side_a < 0.0) != (side_b < 0.0)) {
+      const double t = glm::dot(along, a + (b - a) * (side_a / (side_a - side_b)));
+      first = std::min(first, t);
+      last = std::max(last, t);
+    }
+    a = b;
+  }
+  return {first, last};
 }
 
 }  // namespace
@@ -97,9 +115,34 @@ Vec2 PatchShape::point_in_quarter(int quarter, double r1, double r2) const {
   return p;
 }
 
-std::pair<PatchShape, PatchShape> PatchShape::bisect() const {
-  const Vec2 axis = long_axis();
-  auto [below, above] = cut(vertices, axis, glm::dot(axis, centroid));
+PatchCut PatchShape::cut(std::span<const MeshLine> lines) const {
+  // A line that is the border of light over part of the patch only is left to its children.
+  constexpr double least_run = 0.5, least_share = 0.1;
+  PatchCut best{long_axis(), 0.0};
+  best.at = glm::dot(best.axis, centroid);
+  double most = 0.0;
+  for (const MeshLine& line : lines) {
+    const Vec2 along = glm::normalize(line.b - line.a), axis{-along.y, along.x};
+    const double at = glm::dot(axis, line.a);
+    // A chord that leaves a tenth of a convex shape on either side is not far from its middle.
+    if (std::abs(glm::dot(axis, centroid) - at) > 2.0 * deviations().x) continue;
+    const auto parts = enfilade::cut(vertices, axis, at);
+    if (parts.first.size() < 3 || parts.second.size() < 3) continue;
+    const double share = from(parts.first).area_m2 / area_m2;
+    const double smaller = std::min(share, 1.0 - share);
+    if (smaller < least_share) continue;
+    const auto [first, last] = chord(vertices, axis, at, along);
+    const double a = glm::dot(along, line.a), b = glm::dot(along, line.b);
+    const double run = std::min(last, b) - std::max(first, a);
+    if (run < least_run * (last - first) || run * smaller <= most) continue;
+    most = run * smaller;
+    best = {axis, at};
+  }
+  return best;
+}
+
+std::pair<PatchShape, PatchShape> PatchShape::halves(const PatchCut& cut) const {
+  auto [below, above] = enfilade::cut(vertices, cut.axis, cut.at);
   return {from(std::move(below)), from(std::move(above))};
 }
 

@@ -18,6 +18,11 @@ struct Plane {
   double signed_distance(const Vec3& p) const { return glm::dot(n, p) - d; }
 };
 
+struct Segment {
+  Vec3 a{0.0}, b{0.0};
+  double length_m() const { return glm::length(b - a); }
+};
+
 /// Twice the area times the unit normal (Newell), robust for any planar polygon.
 Vec3 area_vector(const Polygon& polygon);
 double area_m2(const Polygon& polygon);

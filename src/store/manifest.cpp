@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int manifest_version = 2;  // 2: what an iteration's record holds has grown
+constexpr int manifest_version = 3;  // 3: polygons have lines along which they are cut
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.

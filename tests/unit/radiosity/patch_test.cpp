@@ -55,12 +55,27 @@ TEST(PatchShape, QuadratureIsExactForQuadratics) {
 TEST(PatchShape, HalvesCoverTheWhole) {
   PatchShape s = PatchShape::from(pentagon);
   for (int depth = 0; depth < 12; ++depth) {
-    const auto [low, high] = s.bisect();
+    const auto [low, high] = s.halves(s.cut({}));
     EXPECT_NEAR(low.area_m2 + high.area_m2, s.area_m2, 1e-12 * s.area_m2);
     EXPECT_GT(low.area_m2, 0.2 * s.area_m2);
     EXPECT_GT(high.area_m2, 0.2 * s.area_m2);
     s = high;
   }
+}
+
+TEST(PatchShape, IsCutAlongTheLineThatPartsItBest) {
+  const PatchShape s = PatchShape::from({{0, 0}, {4, 0}, {4, 2}, {0, 2}});
+  const MeshLine across{{1, 0}, {1, 2}}, short_one{{2, 0}, {2, 0.5}},
+      at_the_rim{{0.25, 0}, {0.25, 2}};
+  const auto at_x = [](const PatchCut& cut) { return cut.at / cut.axis.x; };
+  const std::vector<MeshLine> all{short_one, at_the_rim, across};
+  EXPECT_DOUBLE_EQ(at_x(s.cut(all)), 1.0);
+  EXPECT_DOUBLE_EQ(at_x(s.cut(std::vector<MeshLine>{short_one, at_the_rim})), 2.0);
+  // What is left for the part before it, is cut along the line at the rim.
+  const auto [low, high] = s.halves(s.cut(all));
+  const PatchShape& left = low.centroid.x < high.centroid.x ? low : high;
+  EXPECT_DOUBLE_EQ(left.area_m2, 2.0);
+  EXPECT_DOUBLE_EQ(at_x(left.cut(all)), 0.25);
 }
 
 /// For every inner node: mean of its children = its own value, and an affine light survives the
