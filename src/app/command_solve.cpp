@@ -70,9 +70,8 @@ void run_solve(const SolveOptions& options, Session& session) {
   Warnings warnings;
   PrepareConfig prepare_config;  // proofs of what is hidden pay where there are millions of links
   prepare_config.visibility.prove_hidden = false;
-  Prepared prepared =
-      prepare_on_root(communicator, options.scene_file(), config.run_directory, prepare_config,
-                      warnings, console.progress(), config.resume);
+  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory,
+                                      prepare_config, warnings, console.progress(), config.resume);
   console.warnings(warnings);
 
   communicator.on_root([&] {

@@ -56,10 +56,11 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
       ->check(number_between(0.0, 1.0))
       ->capture_default_str()
       ->group(group);
-  sub.add_option("--patch-links", o.patch_links,
-                 "Hold what is read off patches (surfaces.csv, pictures, model) to the target error "
-                 "as well, until there are more links than this; past it only light gathered for "
-                 "(probe) is. 0: whatever it takes")
+  sub.add_option(
+         "--patch-links", o.patch_links,
+         "Hold what is read off patches (surfaces.csv, pictures, model) to the target error "
+         "as well, until there are more links than this; past it only light gathered for "
+         "(probe) is. 0: whatever it takes")
       ->capture_default_str()
       ->group(group);
   sub.add_option(

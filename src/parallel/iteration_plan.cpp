@@ -114,9 +114,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // What the links are wrong by shows before the light has come to rest.
   const bool calm = all_done && last.error.iteration_bound <=
                                     std::max(tolerance_of(config), 0.02 * config.target_error);
-  const bool patches =
-      (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
-      !no_better(history, true);
+  const bool patches = (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
+                       !no_better(history, true);
   const double error = links_error(last.error, patches);
   const bool fine = error <= 0.9 * config.target_error;
   const bool out_of_iterations = last.plan.iteration >= config.max_iterations;

@@ -67,7 +67,8 @@ struct PlanConfig {
   double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
   double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;
-  std::uint64_t patch_links = 0;  ///< with more links than this only gathered light is held to it; 0 = never
+  std::uint64_t patch_links =
+      0;  ///< with more links than this only gathered light is held to it; 0 = never
   int max_iterations = 200;
 };
 

@@ -44,13 +44,12 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
 }
 
 /// A patch's light, an average over all of it, does for a ray that comes from farther away than
-/// this: its length at a patch error of 1%, and by the root of the error else, as what it is worth
-/// to know better costs noise.
+/// this: the side of the square of its area, or more where the patches are known to be worse than
+/// 2%, since what it is worth to know better costs noise.
 double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygon,
                                 const Vec3& at) const {
-  const double length_m =
-      std::sqrt(12.0) * patches.node(patches.leaf_at(polygon, at)).shape.deviations().x;
-  return length_m * std::clamp(std::sqrt(config.patch_error / 0.01), 0.25, 4.0);
+  const double side_m = std::sqrt(patches.node(patches.leaf_at(polygon, at)).shape.area_m2);
+  return side_m * std::clamp(config.patch_error / 0.02, 1.0, 4.0);
 }
 
 /// Adds share * what a ray brings. Where it ends near a patch, the patch's light is an average over

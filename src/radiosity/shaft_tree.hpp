@@ -28,8 +28,8 @@ class ShaftTree {
                std::uint32_t skip_b) const;
   /// Appends the polygons that `blocked` speaks of, until there are more than `most`; in the same
   /// order for the same shaft.
-  void find(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a,
-            std::uint32_t skip_b, std::size_t most, std::vector<std::uint32_t>& found) const;
+  void find(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a, std::uint32_t skip_b,
+            std::size_t most, std::vector<std::uint32_t>& found) const;
   /// The same among what was found for a shaft that holds this one: in the same order.
   void find_among(std::span<const std::uint32_t> among, const Shaft& shaft, double tolerance_m,
                   std::uint32_t skip_a, std::uint32_t skip_b,
