@@ -4,6 +4,7 @@
 run_directory_test.py ENFILADE [unittest arguments]"""
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -155,7 +156,7 @@ class Damage(InRun):
 
     def test_a_run_of_another_version_is_named_so(self):
         manifest = self.run_directory / "common/manifest.json"
-        manifest.write_text(manifest.read_text().replace('"version":2', '"version":1'))
+        manifest.write_text(re.sub(r'"version":[0-9]+', '"version":1', manifest.read_text()))
         self.assert_failed(enfilade("solve", self.run_directory, "--resume"), str(manifest), "another version of enfilade",
                            "solve again without --resume")
 
