@@ -41,7 +41,7 @@ std::string patches(const RunRecord& record) {
     return "what is read off them is held to the asked error too";
   const double most = record.number("patch_links", 0.0);
   if (most <= 0.0 || record.number("links", 0.0) <= most)
-    return "what is read off them is not as good as asked, and finer links bring little";
+    return "what is read off them is not as good as asked";
   return "what is read off them is not held to the asked error past --patch-links; a larger one, "
          "or 0, with --resume makes them finer";
 }

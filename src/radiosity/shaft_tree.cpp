@@ -118,7 +118,6 @@ Shaft shaft_between(const Polygon& a, const Polygon& b, double tolerance_m) {
 
 ShaftTree::ShaftTree(std::vector<Polygon> polygons)
     : polygons_(std::move(polygons)), order_(polygons_.size()) {
-  for (const Polygon& polygon : polygons_) boxes_.push_back(bounds(polygon));
   std::iota(order_.begin(), order_.end(), 0u);
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
@@ -128,8 +127,9 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   nodes_.emplace_back();
   Box box, centers;
   for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(boxes_[order_[i]]);
-    centers.add(boxes_[order_[i]].center());
+    const Box b = bounds(polygons_[order_[i]]);
+    box.add(b);
+    centers.add(b.center());
   }
   nodes_[index].box = box;
   nodes_[index].begin = begin;
@@ -141,7 +141,8 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](std::uint32_t i, std::uint32_t j) {
-                     const double ci = boxes_[i].center()[axis], cj = boxes_[j].center()[axis];
+                     const double ci = bounds(polygons_[i]).center()[axis];
+                     const double cj = bounds(polygons_[j]).center()[axis];
                      return ci != cj ? ci < cj : i < j;
                    });
   const std::int32_t left = build(begin, middle);
@@ -180,9 +181,8 @@ void ShaftTree::find(const Shaft& shaft, double tolerance_m, std::uint32_t skip_
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const std::uint32_t k = order_[i];
-      PlaneSet crossed = open;
-      if (k == skip_a || k == skip_b || outside(boxes_[k], shaft, tolerance_m, crossed) ||
-          !reaches_into(polygons_[k], shaft.planes, tolerance_m, crossed, scratch_a, scratch_b))
+      if (k == skip_a || k == skip_b) continue;
+      if (!reaches_into(polygons_[k], shaft.planes, tolerance_m, open, scratch_a, scratch_b))
         continue;
       found.push_back(k);
       if (found.size() > most) return;
@@ -195,9 +195,8 @@ void ShaftTree::find_among(std::span<const std::uint32_t> among, const Shaft& sh
                            std::vector<std::uint32_t>& found) const {
   Polygon scratch_a, scratch_b;
   for (const std::uint32_t k : among) {
-    PlaneSet open = ~PlaneSet{0};
-    if (k == skip_a || k == skip_b || outside(boxes_[k], shaft, tolerance_m, open)) continue;
-    if (reaches_into(polygons_[k], shaft.planes, tolerance_m, open, scratch_a, scratch_b))
+    if (k == skip_a || k == skip_b) continue;
+    if (reaches_into(polygons_[k], shaft.planes, tolerance_m, ~PlaneSet{0}, scratch_a, scratch_b))
       found.push_back(k);
   }
 }

@@ -47,7 +47,6 @@ class ShaftTree {
   std::int32_t build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Polygon> polygons_;
-  std::vector<Box> boxes_;  // theirs
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };
