@@ -11,10 +11,14 @@ std::string word(const RunRecord& record, const char* key) {
   return text != nullptr ? *text : "";
 }
 
-std::string bands(double n) {
-  return n == 1.0 ? "1: the scene is grey"
-                  : fmt::format(
-                        "{}: the scene's; links, rays and form factors are made once for all", n);
+std::string bands(double solved, double of_scene) {
+  if (solved < of_scene)
+    return fmt::format("{} of {}: in the others every surface and light is as in one of these",
+                       solved, of_scene);
+  return solved == 1.0
+             ? "1: the scene is grey"
+             : fmt::format("{}: the scene's; links, rays and form factors are made once for all",
+                           solved);
 }
 
 std::string basis(const std::string& name, bool is_asked) {
@@ -55,7 +59,8 @@ std::string visibility(const RunRecord& record) {
 }  // namespace
 
 void describe_choices(RunRecord& record, bool basis_is_asked) {
-  record.set("chosen_bands", RunRecord::Value(bands(record.number("bands", 1.0))));
+  record.set("chosen_bands", RunRecord::Value(bands(record.number("solved_bands", 1.0),
+                                                    record.number("bands", 1.0))));
   record.set("chosen_basis", RunRecord::Value(basis(word(record, "basis"), basis_is_asked)));
   record.set("chosen_cells", RunRecord::Value(cells(record.number("cells", 1.0))));
   record.set("chosen_memory", RunRecord::Value(memory(record)));

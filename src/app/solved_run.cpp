@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "parallel/history.hpp"
+#include "scene/equal_bands.hpp"
 #include "store/solution.hpp"
 
 namespace enfilade {
@@ -35,8 +36,10 @@ std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe>
   std::vector<Spectrum> answers;
   answers.reserve(probes.size());
   for (const Probe& probe : probes) {
-    answers.push_back(method == ProbeMethod::gather ? run.gather().irradiance(probe.p, probe.n)
-                                                    : run.gather().from_patches(probe.p, probe.n));
+    answers.push_back(
+        in_bands_of_file(run.prepared().scene, method == ProbeMethod::gather
+                                                   ? run.gather().irradiance(probe.p, probe.n)
+                                                   : run.gather().from_patches(probe.p, probe.n)));
     report_progress(progress, "probe",
                     static_cast<double>(answers.size()) / static_cast<double>(probes.size()));
   }

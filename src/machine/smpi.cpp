@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,17 +29,18 @@ namespace s4u = simgrid::s4u;
 struct DiskArm {
   double free_s = 0.0;  ///< when it is done with all requests so far
   double seek_s = 0.0;
+  double request_s = 0.0;  ///< of a client on another host
   BackgroundLoad others;
 };
 
-/// The disk's own property `seek_s`, or the cost model's.
-double seek_s(const s4u::Disk& disk, const DiskCosts& costs) {
-  const char* own = disk.get_property("seek_s");
-  if (own == nullptr) return costs.seek_s;
+/// The disk's own property, or the cost model's value.
+double seconds_of(const s4u::Disk& disk, const char* key, double of_model) {
+  const char* own = disk.get_property(key);
+  if (own == nullptr) return of_model;
   char* end = nullptr;
   const double seconds = std::strtod(own, &end);
   if (end != own && *end == '\0' && seconds >= 0.0 && std::isfinite(seconds)) return seconds;
-  throw InputError("platform", "disk " + disk.get_name() + ": seek_s",
+  throw InputError("platform", "disk " + disk.get_name() + ": " + key,
                    "'" + std::string(own) + "' is not a number of seconds from 0 up",
                    "give it as platforms/README.md shows");
 }
@@ -47,7 +49,8 @@ double seek_s(const s4u::Disk& disk, const DiskCosts& costs) {
 DiskArm& arm_of(s4u::Disk& disk, const DiskCosts& costs) {
   if (disk.get_data<DiskArm>() == nullptr) {
     auto arm = std::make_unique<DiskArm>();
-    arm->seek_s = seek_s(disk, costs);
+    arm->seek_s = seconds_of(disk, "seek_s", costs.seek_s);
+    arm->request_s = seconds_of(disk, "request_s", costs.request_s);
     if (const char* others = disk.get_property("background")) {
       arm->others = BackgroundLoad(others, "platform", "disk " + disk.get_name() + ": background");
     }
@@ -56,11 +59,34 @@ DiskArm& arm_of(s4u::Disk& disk, const DiskCosts& costs) {
   return *disk.get_data<DiskArm>();
 }
 
-/// A disk and the host that it hangs on.
+/// The way of bytes from one host to another.
+struct Wire {
+  std::vector<s4u::Link*> links;
+  double latency_s = 0.0;
+
+  double transfer_s(std::uint64_t bytes) const {
+    double bandwidth = std::numeric_limits<double>::infinity();
+    for (const s4u::Link* link : links) bandwidth = std::min(bandwidth, link->get_bandwidth());
+    return static_cast<double>(bytes) / bandwidth;
+  }
+};
+
+Wire wire_between(const s4u::Host& from, const s4u::Host& to) {
+  Wire wire;
+  if (&from != &to) from.route_to(&to, wire.links, &wire.latency_s);
+  return wire;
+}
+
+/// A disk and the host that it hangs on, and the wires from and to a rank's host.
 struct Server {
   s4u::Host* host = nullptr;
   s4u::Disk* disk = nullptr;
+  Wire from, to;
 };
+
+/// Bytes that take less leave a wire before others could notice: they are charged as if alone,
+/// which saves a simulation of a thousand ranks most of its events.
+constexpr double unnoticed_s = 1e-5;
 
 bool has_property(const s4u::Host& host, const char* key, const char* value) {
   const char* is = host.get_property(key);
@@ -73,12 +99,14 @@ std::vector<Server> common_servers(s4u::Host& here) {
   // All ranks were placed before the first one ran.
   const bool alone = here.get_actor_count() == s4u::Engine::get_instance()->get_actor_count();
   if (alone && has_property(here, "serves", "alone")) {
-    for (s4u::Disk* disk : here.get_disks()) servers.push_back({&here, disk});
+    for (s4u::Disk* disk : here.get_disks()) servers.push_back({&here, disk, {}, {}});
     if (!servers.empty()) return servers;
   }
   for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
     if (!has_property(*host, "serves", "common")) continue;
-    for (s4u::Disk* disk : host->get_disks()) servers.push_back({host, disk});
+    for (s4u::Disk* disk : host->get_disks()) {
+      servers.push_back({host, disk, wire_between(*host, here), wire_between(here, *host)});
+    }
   }
   if (servers.empty()) {
     throw InputError("platform", "hosts", "no host with a disk has the property serves=\"common\"",
@@ -95,16 +123,20 @@ class SimulatedMachine final : public Machine {
     for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
       for (s4u::Disk* disk : host->get_disks()) arm_of(*disk, costs_.disk);
     }
-    if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front()};
+    if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front(), {}, {}};
+    // All ranks were placed before the first one ran: those of one host share its memory.
+    const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());
+    own_core_ = ranks <= static_cast<std::size_t>(here_->get_core_count());
     if (const char* memory = here_->get_property("memory")) {
-      // All ranks were placed before the first one ran: those of one host share its memory.
-      const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());
       memory_bytes_ =
           parse_bytes(memory, "platform", "host " + here_->get_name() + ": memory") / ranks;
     }
   }
 
-  void compute(const WorkCount& work) override { execute(price_flops(costs_, work)); }
+  void compute(const WorkCount& work) override {
+    execute(price_flops(costs_, work));
+    catch_up();
+  }
 
   void read(Disk disk, std::uint64_t file, std::uint64_t bytes) override {
     transfer(server_of(disk, file), bytes, /*reading=*/true);
@@ -115,7 +147,7 @@ class SimulatedMachine final : public Machine {
     transfer(server_of(disk, file), bytes, /*reading=*/false);
   }
   void move_to_common(std::uint64_t file, std::uint64_t bytes) override {
-    const Server from = server_of(Disk::local, file), to = server_of(Disk::common, file);
+    const Server &from = server_of(Disk::local, file), &to = server_of(Disk::common, file);
     if (from.disk == to.disk) {
       request(to, 0, false);  // a new name for the file
     } else {
@@ -127,23 +159,36 @@ class SimulatedMachine final : public Machine {
     return price_record(costs_, count);
   }
   std::uint64_t memory_bytes() const override { return memory_bytes_; }
-  double now_s() const override { return s4u::Engine::get_clock(); }
-  void pause(int turn) override { s4u::this_actor::sleep_for(1e-6 * std::min(turn + 1, 1000)); }
+  double now_s() const override { return s4u::Engine::get_clock() + ahead_s_; }
+  void pause(int turn) override {
+    ahead_s_ += 1e-6 * std::min(turn + 1, 1000);
+    catch_up();
+  }
   bool simulated() const override { return true; }
   std::string host() const override { return here_->get_name(); }
 
  private:
-  static void execute(double flops) {
-    if (flops > 0.0) smpi_execute_flops(flops);
+  /// A rank with a core of its own knows how long it takes; the simulation hears of it with the
+  /// next request, which saves it an event.
+  void execute(double flops) {
+    if (own_core_) {
+      ahead_s_ += std::max(0.0, flops) / (here_->get_speed() * here_->get_available_speed());
+    } else if (flops > 0.0) {
+      smpi_execute_flops(flops);
+    }
+  }
+  void catch_up() {
+    if (ahead_s_ > 0.0) s4u::this_actor::sleep_for(ahead_s_);
+    ahead_s_ = 0.0;
   }
   /// Files are spread over the common disks by their number; a host without a disk has its local
   /// directory on the common one, as the paper's hosts had.
-  Server server_of(Disk disk, std::uint64_t file) const {
+  const Server& server_of(Disk disk, std::uint64_t file) const {
     if (disk == Disk::local && local_.disk != nullptr) return local_;
     return common_[file % common_.size()];
   }
   /// What counts for nothing lies, in the modelled program, in a file that is charged elsewhere.
-  void transfer(const Server& server, std::uint64_t bytes, bool reading) const {
+  void transfer(const Server& server, std::uint64_t bytes, bool reading) {
     while (bytes > 0) {
       const std::uint64_t part = std::min(bytes, costs_.disk.request_bytes);
       request(server, part, reading);
@@ -151,13 +196,13 @@ class SimulatedMachine final : public Machine {
     }
   }
   /// Reading: arm, then wire. Writing: wire, then arm.
-  void request(const Server& server, std::uint64_t bytes, bool reading) const {
+  void request(const Server& server, std::uint64_t bytes, bool reading) {
     const bool remote = server.host != here_;
-    if (remote && !reading && bytes > 0) s4u::Comm::sendto(here_, server.host, bytes);
-    // All who ask from elsewhere are as late by what a request costs, so that whose request is
-    // first is known now.
-    const double come_s = now_s() + (remote ? costs_.disk.request_s : 0.0);
+    if (remote && !reading) send(here_, server.host, server.to, bytes);
+    // All who ask a disk from elsewhere are as late by what a request costs, so that whose request
+    // is first is known now (but for what one rank decodes before it asks again).
     DiskArm& arm = arm_of(*server.disk, costs_.disk);
+    const double come_s = now_s() + (remote ? arm.request_s : 0.0);
     // The transfer has the disk's whole bandwidth: what SimGrid's own disk activity would take,
     // without its record of every activity ever made, which each later one has to search.
     const double bandwidth =
@@ -165,7 +210,18 @@ class SimulatedMachine final : public Machine {
     const double seconds = arm.seek_s + static_cast<double>(bytes) / bandwidth;
     arm.free_s = arm.others.end_s(std::max(come_s, arm.free_s), seconds);
     s4u::this_actor::sleep_until(arm.free_s);
-    if (remote && reading && bytes > 0) s4u::Comm::sendto(server.host, here_, bytes);
+    ahead_s_ = 0.0;
+    if (remote && reading) send(server.host, here_, server.from, bytes);
+  }
+  void send(s4u::Host* from, s4u::Host* to, const Wire& wire, std::uint64_t bytes) {
+    if (bytes == 0) return;
+    const double transfer_s = wire.transfer_s(bytes);
+    if (transfer_s < unnoticed_s) {
+      ahead_s_ += wire.latency_s + transfer_s;
+    } else {
+      catch_up();
+      s4u::Comm::sendto(from, to, bytes);
+    }
   }
 
   CostModel costs_;
@@ -173,6 +229,8 @@ class SimulatedMachine final : public Machine {
   std::vector<Server> common_;
   Server local_;
   std::uint64_t memory_bytes_ = 0;
+  bool own_core_ = true;
+  double ahead_s_ = 0.0;  ///< that this rank is later than the simulation knows
 };
 
 }  // namespace

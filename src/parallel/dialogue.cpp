@@ -13,7 +13,13 @@ void Dialogue::start(int iteration) {
 }
 
 void Dialogue::look() {
+  looked_s_ = machine_.now_s();
   while (auto received = communicator_.poll()) take(std::move(*received));
+}
+
+void Dialogue::look_again() {
+  constexpr double may_wait_s = 0.005;
+  if (machine_.now_s() - looked_s_ > may_wait_s) look();
 }
 
 void Dialogue::take(Received received) {

@@ -22,6 +22,8 @@ class Dialogue {
   void start(int iteration);
   /// Answers what has arrived; called between two receiving clusters.
   void look();
+  /// The same between two shooters, but no sooner than a thief may well wait: looking costs time.
+  void look_again();
   /// The ranks that have no cluster left to give in this iteration, as far as this one has heard:
   /// no work comes to them any more.
   const RankSet& idle();
@@ -49,6 +51,7 @@ class Dialogue {
   Machine& machine_;
   TaskList& tasks_;
   int iteration_ = 0;
+  double looked_s_ = 0.0;
   RankSet idle_;
   std::deque<Early> early_;
   std::tuple<std::deque<StealReply>, std::deque<Token>, std::deque<Verdict>> shelves_;

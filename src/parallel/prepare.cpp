@@ -9,6 +9,7 @@
 #include "parallel/leak_file.hpp"
 #include "parallel/peak_memory.hpp"
 #include "parallel/run_mark.hpp"
+#include "scene/equal_bands.hpp"
 #include "scene/scene_io.hpp"
 #include "store/graph_file.hpp"
 #include "store/posix_file.hpp"
@@ -121,6 +122,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   check_run_directory(run_directory);
   Prepared p;
   p.scene = scene;
+  merge_equal_bands(p.scene);
   Stopwatch stopwatch(p.steps);
   report_progress(progress, "pieces", 0.0);
   PieceReport report;
@@ -188,6 +190,7 @@ Prepared load_prepared(const std::string& run_directory) {
   Warnings told_before;  // when the run was prepared
   p.scene = read_scene(run_directory + "/scene.json", told_before);
   p.scene.text = {};
+  merge_equal_bands(p.scene);
   p.scene.hash = mark->scene_hash;
   p.cells = load(run_directory + "/cells.bin", complex_from_bytes);
   p.clusters = load(run_directory + "/clusters.bin", clusters_from_bytes);

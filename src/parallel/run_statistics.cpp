@@ -6,6 +6,7 @@
 #include "parallel/error_estimate.hpp"
 #include "parallel/light_balance.hpp"
 #include "parallel/peak_memory.hpp"
+#include "scene/equal_bands.hpp"
 
 namespace enfilade {
 namespace {
@@ -43,7 +44,8 @@ void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
   record.set("portals", prepared.cells.portals().size());
   record.set("clusters", prepared.clusters.size());
   record.set("cluster_edges", prepared.graph.edges());
-  record.set("bands", prepared.scene.bands);
+  record.set("bands", bands_of_file(prepared.scene));
+  record.set("solved_bands", prepared.scene.bands);
   record.set("basis", basis == Basis::linear ? "linear" : "constant");
 }
 

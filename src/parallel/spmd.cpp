@@ -42,7 +42,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     add_token(work, token, own, config.coarse_correction);
   };
 
-  if (communicator.size() > 1) work.set_listener([&dialogue] { dialogue.look(); });
+  if (communicator.size() > 1) work.set_listener([&dialogue] { dialogue.look_again(); });
   while (!plan.finished) {
     work.begin(plan, changes);
     tasks.start();

@@ -129,8 +129,8 @@ class PatchForest {
   /// negative = not looked at yet.
   float exposure(std::size_t node) const { return exposure_[node]; }
   void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
-  /// Forgets the exposures where they were measured with another number of lit polygons in view,
-  /// give or take one in 256.
+  /// Forgets the exposures where they were measured with fewer lit polygons in view, give or take
+  /// one in 256. Fewer than then change nothing: what hovers about zero would move all for ever.
   void expose_to(std::uint32_t lit_polygons);
   /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
   /// none.

@@ -233,9 +233,7 @@ void PatchForest::pull_groups() {
 }
 
 void PatchForest::expose_to(std::uint32_t lit_polygons) {
-  const std::uint32_t difference =
-      std::max(exposed_to_, lit_polygons) - std::min(exposed_to_, lit_polygons);
-  if (difference <= exposed_to_ / 256) return;
+  if (lit_polygons <= exposed_to_ + exposed_to_ / 256) return;
   exposed_to_ = lit_polygons;
   std::fill(exposure_.begin(), exposure_.end(), -1.0f);
 }

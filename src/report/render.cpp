@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "radiosity/point_gather.hpp"
 #include "report/smooth_light.hpp"
+#include "scene/equal_bands.hpp"
 
 namespace enfilade {
 
@@ -191,7 +192,7 @@ class Painter {
     const PolygonRef ref = solved_.occluders.local(met.hit.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
-    std::vector<double> e(static_cast<std::size_t>(forest.bands())), b(e.size());
+    Spectrum e(static_cast<std::size_t>(forest.bands())), b(e.size());
     if (gather_) {
       e = gather_once(met.hit.polygon, met.p, frame.n, gathered);
     } else {
@@ -201,7 +202,8 @@ class Painter {
     if (!gather_ && config_.smooth) smooth_irradiance(forest, ref.polygon, met.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
-    const auto rgb = display_rgb(b);
+    e = in_bands_of_file(solved_.scene, e);
+    const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
     for (std::size_t c = 0; c < 3; ++c)
       pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
     double mean = 0.0;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/glb_writer.hpp"
+#include "scene/equal_bands.hpp"
 
 namespace enfilade {
 
@@ -25,7 +26,8 @@ struct Vertex {
 /// there, so that it runs on smoothly from one to the next.
 class PolygonMesh {
  public:
-  PolygonMesh(const PatchForest& forest, std::span<const std::size_t> leaves) : forest_(forest) {
+  PolygonMesh(const Scene& scene, const PatchForest& forest, std::span<const std::size_t> leaves)
+      : forest_(forest) {
     for (std::size_t leaf : leaves) {
       const PatchShape& shape = forest.node(leaf).shape;
       std::vector<std::uint32_t> corners;
@@ -37,6 +39,8 @@ class PolygonMesh {
     for (Vertex& v : vertices) {
       for (double& b : v.radiosity) b = std::max(0.0, b / v.leaves);
       for (double& e : v.irradiance) e = std::max(0.0, e / v.leaves);
+      v.radiosity = in_bands_of_file(scene, v.radiosity);
+      v.irradiance = in_bands_of_file(scene, v.irradiance);
     }
   }
   std::vector<Vertex> vertices;
@@ -88,7 +92,8 @@ ToneMap tone_map_of(const SolvedScene& solved, const ToneConfig& config) {
            t += static_cast<std::size_t>(forest.terms())) {
         mean.push_back(forest.radiosity(i)[t]);
       }
-      luminances.emplace_back(luminance(display_rgb(mean)), forest.node(i).shape.area_m2);
+      luminances.emplace_back(luminance(display_rgb(in_bands_of_file(solved.scene, mean))),
+                              forest.node(i).shape.area_m2);
     }
   }
   return ToneMap(std::move(luminances), config);
@@ -157,7 +162,7 @@ Mesh build_mesh(const SolvedScene& solved, const ToneMap& tone, const Vec3& cent
     mesh.begin_object();
     for (const auto& [c, k] : parts[name]) {
       const PatchForest& forest = solved.states[c].patches();
-      mesh.add(PolygonMesh(forest, leaves[c][k]), forest.frames()[k], centre, tone);
+      mesh.add(PolygonMesh(solved.scene, forest, leaves[c][k]), forest.frames()[k], centre, tone);
     }
   }
   return mesh;

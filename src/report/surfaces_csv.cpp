@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "scene/equal_bands.hpp"
+
 namespace enfilade {
 
 namespace {
@@ -51,7 +53,7 @@ std::string surfaces_csv(const SolvedScene& solved) {
   for (const char* quantity : {"irradiance", "radiosity"}) {
     const bool falling = quantity[0] == 'i';
     const char* unit = falling ? irradiance_label(solved.scene.unit) : name_of(solved.scene.unit);
-    for (int band = 0; band < solved.scene.bands; ++band) {
+    for (std::size_t band = 0; band < bands_of_file(solved.scene); ++band) {
       fmt::format_to(out, ",mean_{}_{} [{}]", quantity, band, unit);
     }
   }
@@ -62,7 +64,7 @@ std::string surfaces_csv(const SolvedScene& solved) {
     fmt::format_to(out, "{},{},{},{:.6g}", i, field(surface.name), field(surface.object),
                    sums[i].area_m2);
     for (const auto* light : {&sums[i].irradiance, &sums[i].radiosity}) {
-      for (double power : *light) {
+      for (double power : in_bands_of_file(solved.scene, *light)) {
         if (sums[i].area_m2 > 0.0) {
           fmt::format_to(out, ",{:.6g}", power / sums[i].area_m2);
         } else {

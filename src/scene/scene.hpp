@@ -45,6 +45,9 @@ const char* irradiance_label(ExitanceUnit unit);
 struct Scene {
   std::string file;  ///< where it was read from, for messages
   int bands = 1;     ///< every spectrum has this many values
+  /// Per band of the file, where its value lies in the spectra; empty = as they are
+  /// (scene/equal_bands.hpp).
+  std::vector<std::size_t> band_of;
   ExitanceUnit unit = ExitanceUnit::watt_per_m2;
   std::vector<Surface> surfaces;
   std::vector<PointLight> lights;

@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int manifest_version = 3;  // 3: polygons have lines along which they are cut
+constexpr int manifest_version = 4;  // 4: bands that are alike are one
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.

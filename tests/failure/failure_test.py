@@ -104,6 +104,22 @@ class SameLight(Solving):
         runs = [self.solve(scene)[0] for scene in (one, eight)]
         for count in ("links", "rays", "form_factors", "kernels", "patches"):
             self.assertEqual(*[stats_of(run)[count] for run in runs], count)
+
+    def test_bands_that_are_alike_are_solved_once_and_told_each(self):
+        grey = json.loads((SCENES / "energy_balance.json").read_text())
+        tinted = json.loads(json.dumps(grey))
+        for i, surface in enumerate(grey["surfaces"]):
+            rho, exitance = surface["reflectance"][0], surface["exitance"][0]
+            surface["reflectance"], surface["exitance"] = [rho] * 3, [exitance] * 3
+            tinted["surfaces"][i].update(reflectance=[rho, rho / 2, rho], exitance=[exitance] * 3)
+        runs = [self.solve(scene)[0] for scene in (grey, tinted)]
+        self.assertEqual([(stats_of(run)["bands"], stats_of(run)["solved_bands"]) for run in runs], [(3, 1), (3, 2)])
+        for name, light in irradiances(runs[0]).items():
+            self.assertEqual(len(light), 3, name)
+            self.assertEqual(len(set(light)), 1, name)
+        for name, (first, second, third) in irradiances(runs[1]).items():
+            self.assertEqual(first, third, name)
+            self.assertLessEqual(second, first, name)
         light, lights = map(irradiances, runs)
         for name, (irradiance,) in light.items():
             for band, got in enumerate(lights[name]):
