@@ -38,7 +38,7 @@ while [ "$killed" -lt "$kills" ]; do
   if [ "${#ranks[@]}" -gt 0 ] && kill -9 "${ranks[RANDOM % ${#ranks[@]}]}" 2>/dev/null; then
     killed=$((killed + 1))
     # mpirun itself can hang on a rank that dies while it is being started.
-    (sleep 20; kill -9 "$launcher") 2> /dev/null &
+    (sleep 20; kill -9 "$launcher") > /dev/null 2>&1 &  # a sleep left behind must not hold the test's output
     watch=$!
     wait "$launcher"
     ended=$?
