@@ -13,17 +13,22 @@ std::string chosen(const RunRecord& record, const char* key) {
 TEST(RunChoices, FollowTheScene) {
   RunRecord hall;
   hall.set("bands", 1);
+  hall.set("solved_bands", 1);
   hall.set("cells", 1);
   hall.set("basis", "linear");
   hall.set("visibility", "exact");
   hall.set("memory_bytes", 0);
   RunRecord house = hall;
   house.set("bands", 3);
+  house.set("solved_bands", 3);
   house.set("cells", 12);
   describe_choices(hall, false);
   describe_choices(house, false);
   EXPECT_THAT(chosen(hall, "chosen_bands"), testing::StartsWith("1: the scene is grey"));
   EXPECT_THAT(chosen(house, "chosen_bands"), testing::StartsWith("3: "));
+  house.set("solved_bands", 1);
+  describe_choices(house, false);
+  EXPECT_THAT(chosen(house, "chosen_bands"), testing::StartsWith("1 of 3: "));
   EXPECT_THAT(chosen(hall, "chosen_cells"), testing::StartsWith("1: no wall"));
   EXPECT_THAT(chosen(house, "chosen_cells"), testing::StartsWith("12: walls"));
   EXPECT_THAT(chosen(hall, "chosen_memory"), testing::StartsWith("no limit"));
