@@ -12,6 +12,7 @@
 #include "app/solve_summary.hpp"
 #include "parallel/leak_file.hpp"
 #include "report/stats_json.hpp"
+#include "scene/equal_bands.hpp"
 #include "scene/scene_io.hpp"
 
 namespace enfilade {
@@ -65,12 +66,12 @@ void add_scene(TextTable& table, const Scene& scene) {
   table.add("emitting surfaces", with_thousands(figures.emitting));
   table.add("point lights", with_thousands(scene.lights.size()));
   table.add("probes", with_thousands(scene.probes.size()));
-  table.add("bands", std::to_string(scene.bands));
+  table.add("bands", std::to_string(bands_of_file(scene)));
   table.add("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x, extent.y, extent.z));
   table.add("area", fmt::format("{:.6g} m2", figures.area_m2));
-  table.add("mean reflectance", shown(figures.reflected_m2, ""));
-  table.add("emitted",
-            shown(figures.emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+  table.add("mean reflectance", shown(in_bands_of_file(scene, figures.reflected_m2), ""));
+  table.add("emitted", shown(in_bands_of_file(scene, figures.emitted),
+                             scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
 }
 
 void run_info(const std::string& input, Session& session) {

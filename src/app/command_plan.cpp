@@ -74,6 +74,19 @@ std::vector<double> numbers_of(const std::string& text) {
   }
 }
 
+/// "20, 22, 25, ...": the first rooms' cells.
+std::string rooms_of(const CellComplex& complex) {
+  constexpr int most = 8;
+  std::string list;
+  int told = 0;
+  for (const Cell& cell : complex.cells()) {
+    if (cell.kind != CellKind::room) continue;
+    if (told == most) return list + ", ...";
+    list += (told++ == 0 ? "" : ", ") + std::to_string(cell.id.value);
+  }
+  return list;
+}
+
 CellId chosen_cell(const std::string& text, const CellComplex& complex) {
   const std::vector<double> numbers = numbers_of(text);
   if (numbers.size() == 3) {
@@ -88,12 +101,13 @@ CellId chosen_cell(const std::string& text, const CellComplex& complex) {
                       numbers[0] == std::floor(numbers[0]);
   if (!number) {
     throw wrong("--visible-from", "'" + text + "' is no cell of this run",
-                fmt::format("name one of 0 to {}, or a point X,Y,Z", count - 1));
+                fmt::format("name one of {}, or a point X,Y,Z", rooms_of(complex)));
   }
   const auto cell = static_cast<std::size_t>(numbers[0]);
   if (complex.cells()[cell].kind == CellKind::solid) {
-    throw wrong("--visible-from", "cell " + text + " is the inside of a solid",
-                "name a room; 'enfilade plan RUN -o plan.svg' shows their numbers");
+    throw wrong(
+        "--visible-from", "cell " + text + " is the inside of a solid",
+        "name one of " + rooms_of(complex) + "; 'enfilade plan RUN -o plan.svg' shows them");
   }
   return CellId(cell);
 }

@@ -138,6 +138,7 @@ std::optional<Received> Communicator::poll() {
 }
 
 Received Communicator::receive(Machine& machine) {
+  machine.settle();
   while (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
     if (auto received = impl_->take(MPI_ANY_SOURCE)) return std::move(*received);
   }

@@ -45,6 +45,8 @@ class Machine {
   virtual std::uint64_t record_bytes(const RecordCount& count) const = 0;
   /// Memory of the host that a rank may use; 0 = not known, no limit.
   virtual std::uint64_t memory_bytes() const = 0;
+  /// Before others hear of this rank: what was charged so far has passed. Real: nothing.
+  virtual void settle() {}
   /// Seconds since the start: wall clock, or simulated.
   virtual double now_s() const = 0;
   /// Between two looks at the messages; `turn` counts the looks in vain, so that waiting can back
@@ -85,6 +87,8 @@ class PhaseScope {
   Phase before_;
 };
 
+/// What Machine::simulated() will say, before there is one.
+bool machines_are_simulated();
 /// `cost_model_file` empty = the default of the build. Throws InputError for a bad file.
 std::unique_ptr<Machine> make_machine(const std::string& cost_model_file);
 

@@ -44,6 +44,8 @@ class RealMachine final : public Machine {
 
 }  // namespace
 
+bool machines_are_simulated() { return false; }
+
 std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
   // A real run has no use for the costs, but a bad file is refused on either machine.
   if (!cost_model_file.empty()) read_cost_model(cost_model_file);

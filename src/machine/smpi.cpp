@@ -48,6 +48,11 @@ double seconds_of(const s4u::Disk& disk, const char* key, double of_model) {
 /// Made by the first rank that comes by; lives as long as the simulation.
 DiskArm& arm_of(s4u::Disk& disk, const DiskCosts& costs) {
   if (disk.get_data<DiskArm>() == nullptr) {
+    if (!(disk.get_read_bandwidth() > 0.0 && disk.get_write_bandwidth() > 0.0)) {
+      throw InputError("platform", "disk " + disk.get_name(),
+                       "read_bw and write_bw must be above 0",
+                       "give them as platforms/README.md shows");
+    }
     auto arm = std::make_unique<DiskArm>();
     arm->seek_s = seconds_of(disk, "seek_s", costs.seek_s);
     arm->request_s = seconds_of(disk, "request_s", costs.request_s);
@@ -73,7 +78,13 @@ struct Wire {
 
 Wire wire_between(const s4u::Host& from, const s4u::Host& to) {
   Wire wire;
-  if (&from != &to) from.route_to(&to, wire.links, &wire.latency_s);
+  if (&from == &to) return wire;
+  from.route_to(&to, wire.links, &wire.latency_s);
+  if (wire.links.empty()) {
+    throw InputError("platform", "routes",
+                     "no way from " + from.get_name() + " to " + to.get_name(),
+                     "give a <route> between them as platforms/README.md shows");
+  }
   return wire;
 }
 
@@ -84,9 +95,10 @@ struct Server {
   Wire from, to;
 };
 
-/// Bytes that take less leave a wire before others could notice: they are charged as if alone,
-/// which saves a simulation of a thousand ranks most of its events.
-constexpr double unnoticed_s = 1e-5;
+/// Bytes that have a wire for so short a time, and for so small a share of what their disk takes
+/// for them, leave it before others could notice: they are charged as if alone, which saves a
+/// simulation of a thousand ranks most of its events.
+constexpr double unnoticed_s = 1e-5, unnoticed_share = 0.05;
 
 bool has_property(const s4u::Host& host, const char* key, const char* value) {
   const char* is = host.get_property(key);
@@ -115,6 +127,14 @@ std::vector<Server> common_servers(s4u::Host& here) {
   return servers;
 }
 
+/// 0 = not told.
+std::uint64_t memory_of(const s4u::Host& host) {
+  const char* memory = host.get_property("memory");
+  return memory == nullptr
+             ? 0
+             : parse_bytes(memory, "platform", "host " + host.get_name() + ": memory");
+}
+
 class SimulatedMachine final : public Machine {
  public:
   explicit SimulatedMachine(const CostModel& costs)
@@ -122,28 +142,30 @@ class SimulatedMachine final : public Machine {
     // All disks, so that every rank refuses the same platform.
     for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
       for (s4u::Disk* disk : host->get_disks()) arm_of(*disk, costs_.disk);
+      memory_of(*host);
     }
     if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front(), {}, {}};
     // All ranks were placed before the first one ran: those of one host share its memory.
     const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());
     own_core_ = ranks <= static_cast<std::size_t>(here_->get_core_count());
-    if (const char* memory = here_->get_property("memory")) {
-      memory_bytes_ =
-          parse_bytes(memory, "platform", "host " + here_->get_name() + ": memory") / ranks;
-    }
+    memory_bytes_ = memory_of(*here_) / ranks;
   }
 
   void compute(const WorkCount& work) override {
+    settle();
     execute(price_flops(costs_, work));
-    catch_up();
+  }
+  void settle() override {
+    if (ahead_s_ > 0.0) s4u::this_actor::sleep_for(ahead_s_);
+    ahead_s_ = 0.0;
   }
 
   void read(Disk disk, std::uint64_t file, std::uint64_t bytes) override {
     transfer(server_of(disk, file), bytes, /*reading=*/true);
-    execute(costs_.flops.byte_read * static_cast<double>(bytes));
+    decode(costs_.flops.byte_read * static_cast<double>(bytes));
   }
   void write(Disk disk, std::uint64_t file, std::uint64_t bytes) override {
-    execute(costs_.flops.byte_written * static_cast<double>(bytes));
+    decode(costs_.flops.byte_written * static_cast<double>(bytes));
     transfer(server_of(disk, file), bytes, /*reading=*/false);
   }
   void move_to_common(std::uint64_t file, std::uint64_t bytes) override {
@@ -162,24 +184,25 @@ class SimulatedMachine final : public Machine {
   double now_s() const override { return s4u::Engine::get_clock() + ahead_s_; }
   void pause(int turn) override {
     ahead_s_ += 1e-6 * std::min(turn + 1, 1000);
-    catch_up();
+    settle();
   }
   bool simulated() const override { return true; }
   std::string host() const override { return here_->get_name(); }
 
  private:
-  /// A rank with a core of its own knows how long it takes; the simulation hears of it with the
-  /// next request, which saves it an event.
-  void execute(double flops) {
-    if (own_core_) {
-      ahead_s_ += std::max(0.0, flops) / (here_->get_speed() * here_->get_available_speed());
-    } else if (flops > 0.0) {
-      smpi_execute_flops(flops);
-    }
+  static void execute(double flops) {
+    if (flops > 0.0) smpi_execute_flops(flops);
   }
-  void catch_up() {
-    if (ahead_s_ > 0.0) s4u::this_actor::sleep_for(ahead_s_);
-    ahead_s_ = 0.0;
+  /// Turning bytes into records or back: a rank with a core of its own, at its usual speed, knows
+  /// how long that takes. The simulation hears of it with the next request, which saves it an
+  /// event.
+  void decode(double flops) {
+    if (own_core_ && here_->get_available_speed() == 1.0) {
+      ahead_s_ += std::max(0.0, flops) / here_->get_speed();
+    } else {
+      settle();
+      execute(flops);
+    }
   }
   /// Files are spread over the common disks by their number; a host without a disk has its local
   /// directory on the common one, as the paper's hosts had.
@@ -198,10 +221,10 @@ class SimulatedMachine final : public Machine {
   /// Reading: arm, then wire. Writing: wire, then arm.
   void request(const Server& server, std::uint64_t bytes, bool reading) {
     const bool remote = server.host != here_;
-    if (remote && !reading) send(here_, server.host, server.to, bytes);
+    DiskArm& arm = arm_of(*server.disk, costs_.disk);
+    if (remote && !reading) send(here_, server.host, server.to, bytes, arm);
     // All who ask a disk from elsewhere are as late by what a request costs, so that whose request
     // is first is known now (but for what one rank decodes before it asks again).
-    DiskArm& arm = arm_of(*server.disk, costs_.disk);
     const double come_s = now_s() + (remote ? arm.request_s : 0.0);
     // The transfer has the disk's whole bandwidth: what SimGrid's own disk activity would take,
     // without its record of every activity ever made, which each later one has to search.
@@ -211,15 +234,16 @@ class SimulatedMachine final : public Machine {
     arm.free_s = arm.others.end_s(std::max(come_s, arm.free_s), seconds);
     s4u::this_actor::sleep_until(arm.free_s);
     ahead_s_ = 0.0;
-    if (remote && reading) send(server.host, here_, server.from, bytes);
+    if (remote && reading) send(server.host, here_, server.from, bytes, arm);
   }
-  void send(s4u::Host* from, s4u::Host* to, const Wire& wire, std::uint64_t bytes) {
+  void send(s4u::Host* from, s4u::Host* to, const Wire& wire, std::uint64_t bytes,
+            const DiskArm& arm) {
     if (bytes == 0) return;
     const double transfer_s = wire.transfer_s(bytes);
-    if (transfer_s < unnoticed_s) {
+    if (transfer_s < std::min(unnoticed_s, unnoticed_share * arm.seek_s)) {
       ahead_s_ += wire.latency_s + transfer_s;
     } else {
-      catch_up();
+      settle();
       s4u::Comm::sendto(from, to, bytes);
     }
   }
@@ -234,6 +258,8 @@ class SimulatedMachine final : public Machine {
 };
 
 }  // namespace
+
+bool machines_are_simulated() { return true; }
 
 std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
   // Only what is charged counts, whatever smpirun's command line said; and looking for a message is

@@ -40,7 +40,9 @@ void Master::serve(Rank slave, Message message) {
     waiting_.push_back(slave);
     answer_waiting();
   } else if (const auto* wanted = std::get_if<SectionRequest>(&message)) {
-    communicator_.send(slave, read_for(store_, *wanted));
+    const auto sections = read_for(store_, *wanted);
+    machine_.settle();
+    communicator_.send(slave, sections);
   } else if (const auto* result = std::get_if<ClusterResult>(&message)) {
     write_for(store_, *result);
   } else if (auto* token = std::get_if<Token>(&message)) {

@@ -122,7 +122,6 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   check_run_directory(run_directory);
   Prepared p;
   p.scene = scene;
-  merge_equal_bands(p.scene);
   Stopwatch stopwatch(p.steps);
   report_progress(progress, "pieces", 0.0);
   PieceReport report;
@@ -155,6 +154,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   remove_directory(run_directory + "/local");
   remove_directory(run_directory + "/costs");
   keep_scene(p.scene, run_directory + "/scene.json");
+  merge_equal_bands(p.scene);
   replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
   replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));
   write_leaks(run_directory, leaks);

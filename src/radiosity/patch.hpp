@@ -130,7 +130,8 @@ class PatchForest {
   float exposure(std::size_t node) const { return exposure_[node]; }
   void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
   /// Forgets the exposures where they were measured with fewer lit polygons in view, give or take
-  /// one in 256. Fewer than then change nothing: what hovers about zero would move all for ever.
+  /// one in 256. Fewer lit polygons leave them as they are, else light that flickers about zero
+  /// would have them measured again for ever.
   void expose_to(std::uint32_t lit_polygons);
   /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
   /// none.

@@ -14,36 +14,14 @@ RowClosing::RowClosing(ClusterState& receiver)
 
 void RowClosing::see(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
-  std::vector<double>& radiosity = radiosity_[shooter.id()];
-  radiosity.resize(patches.polygons() * bands_);
-  for (std::size_t k = 0; k < patches.polygons(); ++k) {
-    bool lit = false;
+  std::vector<bool>& lit = lit_[shooter.id()];
+  lit.resize(patches.polygons());
+  for (std::size_t k = 0; k < lit.size(); ++k) {
     for (std::size_t b = 0; b < bands_; ++b) {
-      radiosity[k * bands_ + b] = std::max(0.0, patches.radiosity(k)[b * terms_]);
-      if (radiosity[k * bands_ + b] > 0.0) lit = true;
+      if (patches.radiosity(k)[b * terms_] > 0.0) lit[k] = true;
     }
-    if (lit) ++lit_in_view_;
+    if (lit[k]) ++lit_in_view_;
   }
-}
-
-const double* RowClosing::radiosity_of(const PolygonRef& polygon) const {
-  const auto seen = radiosity_.find(polygon.cluster);
-  if (seen == radiosity_.end()) return nullptr;
-  const double* radiosity = seen->second.data() + polygon.polygon * bands_;
-  return std::any_of(radiosity, radiosity + bands_, [](double r) { return r > 0.0; }) ? radiosity
-                                                                                      : nullptr;
-}
-
-void RowClosing::add_seen(const PatchNode& node, int rings, const Occluders& occluders,
-                          WorkCount& work, double* to) const {
-  const double per_ray = 0.25 / (rings * rings);
-  const auto end = [&](const PolygonRef& polygon) {
-    const double* radiosity = radiosity_of(polygon);
-    if (radiosity == nullptr) return false;
-    for (std::size_t b = 0; b < bands_; ++b) to[b * terms_] += per_ray * radiosity[b];
-    return true;
-  };
-  exposure(receiver_, node, rings, occluders, end, work);
 }
 
 void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light,
@@ -89,7 +67,10 @@ void RowClosing::add(const Link& link, std::span<const float> transport,
 std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluders,
                                             WorkCount& work) {
   PatchForest& patches = receiver_.patches();
-  const auto lit = [this](const PolygonRef& polygon) { return radiosity_of(polygon) != nullptr; };
+  const auto lit = [this](const PolygonRef& polygon) {
+    const auto seen = lit_.find(polygon.cluster);
+    return seen != lit_.end() && seen->second[polygon.polygon];
+  };
   patches.expose_to(lit_in_view_);
   std::vector<char> open(patches.polygons(), 0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
@@ -144,9 +125,6 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
       if (!mend.empty()) gathered[n * stride + b * terms_] += mend[b] * doubtful;
     }
     const double target = patches.exposure(n);
-    if (target > 0.0 && has[0] <= 0.0 && has[terms_] <= 0.0) {
-      add_seen(node, rings, occluders, work, gathered.data() + n * stride);
-    }
     if (has[terms_] <= 0.0 || target <= 0.0) continue;
     // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one
     // against the other. A row without an opening sums to 1.

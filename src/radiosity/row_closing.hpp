@@ -12,12 +12,11 @@ namespace enfilade {
 /// Sums the rows of one receiving cluster while its light is gathered, then gives each leaf what
 /// its row lacks (or has too much) of the share that it must sum to: 1 where every ray from the
 /// patch ends on a lit front side, else what exposure rays say, weighed against the links' doubt.
-/// A leaf that no link brought anything, though it is not in the dark, gets what those rays see.
 class RowClosing {
  public:
   explicit RowClosing(ClusterState& receiver);
 
-  /// Notes what a shooter's polygons send out.
+  /// Notes which of a shooter's polygons give light.
   void see(const ClusterState& shooter);
   /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band, which
   /// varies by `variation` (RMS, worst band).
@@ -37,11 +36,6 @@ class RowClosing {
   /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
   void push();
-  /// Irradiance by the exposure rays, added to `to` (the leaf's of `gathered`).
-  void add_seen(const PatchNode& node, int rings, const Occluders& occluders, WorkCount& work,
-                double* to) const;
-  /// Mean radiosity per band of a polygon in view; nullptr where it sends out nothing.
-  const double* radiosity_of(const PolygonRef& polygon) const;
 
   ClusterState& receiver_;
   std::size_t bands_, terms_, width_;
@@ -49,8 +43,8 @@ class RowClosing {
   /// by it, and per band the doubtful light: that and what varies over the shooters.
   std::vector<double> rows_;
   Spectrum doubtful_power_;
-  std::map<ClusterId, std::vector<double>> radiosity_;  ///< [polygon * bands + band]
-  std::uint32_t lit_in_view_ = 0;                       ///< polygons
+  std::map<ClusterId, std::vector<bool>> lit_;
+  std::uint32_t lit_in_view_ = 0;  ///< polygons
 };
 
 }  // namespace enfilade

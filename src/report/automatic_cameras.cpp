@@ -4,6 +4,7 @@
 
 #include "report/camera.hpp"
 #include "report/storeys.hpp"
+#include "scene/equal_bands.hpp"
 
 namespace enfilade {
 
@@ -55,7 +56,7 @@ class PlaceFinder {
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     std::vector<double> b(static_cast<std::size_t>(forest.bands()));
     forest.evaluate(true, ref.polygon, p, b);
-    return std::max(0.0, mean(b));
+    return std::max(0.0, mean(in_bands_of_file(solved_.scene, b)));
   }
 
  private:

@@ -23,16 +23,17 @@ Spectrum pick(const Spectrum& values, std::span<const std::size_t> bands) {
 }  // namespace
 
 void merge_equal_bands(Scene& scene) {
+  if (!scene.band_of.empty()) return;  // they have been
   const auto bands = static_cast<std::size_t>(scene.bands);
-  std::vector<std::size_t> kept;
-  scene.band_of.clear();
+  std::vector<std::size_t> kept, band_of;
   for (std::size_t b = 0; b < bands; ++b) {
     const auto like =
         std::ranges::find_if(kept, [&](std::size_t k) { return are_alike(scene, k, b); });
-    scene.band_of.push_back(static_cast<std::size_t>(like - kept.begin()));
+    band_of.push_back(static_cast<std::size_t>(like - kept.begin()));
     if (like == kept.end()) kept.push_back(b);
   }
   if (kept.size() == bands) return;
+  scene.band_of = std::move(band_of);
   scene.bands = static_cast<int>(kept.size());
   for (Surface& s : scene.surfaces) {
     s.reflectance = pick(s.reflectance, kept);

@@ -1,4 +1,4 @@
-"""Holds mean irradiances of solved scenes against form factors of pairs of polygons, known to 1e-7 or better: one is a
+"""Holds mean irradiances of solved scenes against form factors of pairs of polygons, known to 1e-7 or better in absolute terms: one is a
 black lamp, the other a black receiver, with occluders between.
 
 usage: form_factors_test.py ENFILADE PAIRS.json"""
@@ -13,7 +13,7 @@ from pathlib import Path
 
 ENFILADE, PAIRS = sys.argv.pop(1), json.loads(Path(sys.argv.pop(1)).read_text())["pairs"]
 SLIVER = "sliver_receiver"  # a lamp a millionth of the scene wide is left out, with a warning
-STRIP = "edge_l1_w0.0001_h1"  # all of its light falls within a tenth of a millimetre of the edge
+STRIP = "edge_l1_w0.0001_h1"  # most of its light falls within a millimetre of the edge
 
 
 def area(polygon):
@@ -58,7 +58,6 @@ class FormFactors(unittest.TestCase):
         pair = next(pair for pair in PAIRS if pair["name"] == STRIP)
         found, stats, _ = self.solve(pair, "--patch-links", "1000")
         off = abs(found / pair["F_PQ"] - 1.0)
-        self.assertGreater(off, 0.01)
         self.assertGreaterEqual(stats["estimated_patch_error"], off)
 
 

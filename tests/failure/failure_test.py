@@ -125,6 +125,21 @@ class SameLight(Solving):
             self.assertEqual(first, third, name)
             self.assertLessEqual(second, first, name)
 
+    def test_a_model_keeps_the_bands_that_are_alike(self):
+        (self.scratch / "m.mtl").write_text("newmtl wall\nKd 0.5 0.2 0.5\nnewmtl lamp\nKd 0.5 0.2 0.5\nKe 5 5 5\n")
+        model = self.scratch / "m.obj"
+        model.write_text("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nv 0 1 0\nv 1 1 0\nv 1 1 -1\nv 0 1 -1\n"
+                         "o floor\nusemtl wall\nf 1 2 3 4\no ceiling\nusemtl lamp\nf 5 8 7 6\n")
+        run, _ = self.solve(model)
+        self.assertEqual((stats_of(run)["bands"], stats_of(run)["solved_bands"]), (3, 2))
+        points, answers = self.scratch / "points.json", self.scratch / "answers.json"
+        points.write_text(json.dumps({"probes": [{"p": [0.5, 0.5, 0.5], "n": [0, 0, 1]}]}))
+        self.assertEqual(self.run_enfilade("probe", run, "--points", points, "-o", answers).returncode, 0)
+        (irradiance,) = [probe["E"] for probe in json.loads(answers.read_text())["probes"]]
+        self.assertEqual(len(irradiance), 3)
+        self.assertEqual(irradiance[0], irradiance[2])
+        self.assertGreater(irradiance[0], irradiance[1])
+
 
 if __name__ == "__main__":
     Solving.enfilade = sys.argv.pop(1)

@@ -27,6 +27,8 @@ TEST(EqualBands, LeavesOneOfEachSet) {
   EXPECT_EQ(scene.lights[0].intensity, Spectrum({7.0, 8.0}));
   EXPECT_EQ(bands_of_file(scene), 4u);
   EXPECT_EQ(in_bands_of_file(scene, Spectrum{1.0, 3.0}), Spectrum({1.0, 3.0, 1.0, 3.0}));
+  merge_equal_bands(scene);
+  EXPECT_EQ(bands_of_file(scene), 4u);
 }
 
 TEST(EqualBands, ALightOfItsOwnColourKeepsABandApart) {
