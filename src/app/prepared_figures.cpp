@@ -62,6 +62,7 @@ void add_prepared_figures(TextTable& table, const Prepared& prepared) {
 }
 
 void add_leaks(TextTable& table, const std::vector<Leak>& leaks) {
+  if (leaks.empty()) table.add("leaks", "none");
   for (const LeakKind kind : {LeakKind::gap, LeakKind::open_side, LeakKind::lost_room}) {
     const auto first = std::ranges::find(leaks, kind, &Leak::kind);
     if (first == leaks.end()) continue;

@@ -73,6 +73,7 @@ class LeakFinder {
     for (const std::uint32_t leaf : all_lost) {
       std::vector<Vec3> path{middle_of(space_.tree.leaves[leaf])};
       walk_out(leaf, path);
+      if (path.back() == path.front()) path.pop_back();  // it is outside itself
       found.push_back({LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0,
                        std::move(path)});
     }

@@ -25,11 +25,13 @@ const char* what_of(LeakKind kind) {
     case LeakKind::gap:
       return "light leaks out through a gap, path in leaks.json; close it if that is not meant";
     case LeakKind::open_side:
-      return "a room is open to the outside as if a wall was missing, path in leaks.json";
+      return "a room is open to the outside as if a wall was missing, path in leaks.json; add the "
+             "wall if there is one";
     case LeakKind::lost_room:
       break;
   }
-  return "a room is so open that it is taken as outside, path in leaks.json";
+  return "a room is so open that it is taken as outside, path in leaks.json; close its walls if it "
+         "is a room";
 }
 
 /// Where the opening is, or the room.
