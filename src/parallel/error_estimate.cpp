@@ -71,7 +71,7 @@ bool comparable(const IterationSummary& last, const IterationSummary& before) {
 
 double ratio(const IterationSummary& last, const IterationSummary& before) {
   const double change = before.sums.change_power;
-  return change > 0.0 ? std::min(last.sums.change_power / change, 0.9999) : 0.0;
+  return change > 0.0 ? last.sums.change_power / change : 0.0;
 }
 
 /// The last two changes. One that rows being closed or light being mended has made is passed on as
@@ -80,21 +80,22 @@ double change_ratio(std::span<const IterationSummary> history) {
   if (history.size() < 2) return 0.0;
   const IterationSummary& last = history.back();
   const IterationSummary& before = history[history.size() - 2];
-  return comparable(last, before) ? ratio(last, before)
-                                  : std::min(most_reflected(last.sums), 0.9999);
+  return std::min(comparable(last, before) ? ratio(last, before) : most_reflected(last.sums),
+                  0.9999);
 }
 
-/// The largest that the last three changes over the same links show; 0 where there are fewer.
+/// The largest that the last three ratios of changes over the same links show, two by two, for they
+/// may alternate; 0 where there are fewer.
 double steady_ratio(std::span<const IterationSummary> history) {
-  double most = 0.0;
-  int seen = 0;
-  for (std::size_t i = history.size(); i-- > 1 && seen < 3;) {
+  std::vector<double> ratios;  // the last one first
+  for (std::size_t i = history.size(); i-- > 1 && ratios.size() < 3;) {
     if (history[i].sums.work.links_refined + history[i - 1].sums.work.links_refined > 0) break;
-    if (!comparable(history[i], history[i - 1])) continue;
-    most = std::max(most, ratio(history[i], history[i - 1]));
-    ++seen;
+    if (comparable(history[i], history[i - 1])) ratios.push_back(ratio(history[i], history[i - 1]));
   }
-  return seen < 3 ? 0.0 : most;
+  if (ratios.size() < 3) return 0.0;
+  const double last = ratios[0] < 1.0 ? ratios[0] : 0.0;
+  return std::min(
+      std::max({last, std::sqrt(ratios[0] * ratios[1]), std::sqrt(ratios[1] * ratios[2])}), 0.9999);
 }
 
 /// Relative L1 of the changes to come, where each is `passed_on` times the one before: gathers' and

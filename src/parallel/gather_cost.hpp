@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "parallel/iteration_plan.hpp"
+#include "radiosity/coarse_correction.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
@@ -17,13 +18,21 @@ struct GatherCost {
   ClusterId cluster;
   IterationSums sums;                  ///< what it brought; its work among them
   SectionWeight patches, links;        ///< as it wrote them
-  std::vector<std::uint32_t> coupled;  ///< groups in its row of the coarse system, ascending
+  std::vector<std::uint32_t> coupled;  ///< in the coarse system: column + unknowns * zone
 };
 
 /// Whose light a gather takes: what the recorded iterations are true for.
 struct LightOrder {
   bool coarse_correction = true;
   bool jacobi = false;
+
+  /// The light as committed, rather than a rank's newest as in the paper. What is refined must not
+  /// depend on the ranks' number and speeds; light then spreads as with Jacobi, which the coarse
+  /// correction makes up for. And where that has several unknowns a cluster, all must have been
+  /// seen by the same receivers, else how their light was shared out would pass for power.
+  bool committed_only(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
+    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.zoned()));
+  }
 };
 
 /// A run that can be replayed.

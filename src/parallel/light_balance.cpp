@@ -36,7 +36,7 @@ Spectrum mended(const IterationSummary& last, const Spectrum& surfaces, double t
   for (std::size_t b = 0; b < std::min(surfaces.size(), sums.doubtful_power.size()); ++b) {
     const double share = unbalanced_share(sums, surfaces, b);
     const double lost = share * sent_power(sums, surfaces, b);
-    if (std::abs(share) <= std::max(tolerance, last.error.iteration_bound) ||
+    if (std::abs(share) <= std::max(tolerance, 4.0 * last.error.iteration) ||
         sums.doubtful_power[b] <= 0.0) {
       continue;
     }

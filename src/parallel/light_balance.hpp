@@ -18,7 +18,8 @@ double unbalanced_share(const IterationSums& sums, const Spectrum& surfaces, std
 
 /// IterationPlan::mend for the iteration after `last`: what is lost goes to where the links are in
 /// doubt, each patch by its share of that, and never more than all of the doubt. As it was where
-/// the iterations to come may still bring as much as is lost, or no more than `tolerance` is.
+/// the iterations to come may still bring a quarter of what is lost, or no more than `tolerance`
+/// is.
 Spectrum mended(const IterationSummary& last, const Spectrum& surfaces, double tolerance);
 
 }  // namespace enfilade

@@ -5,21 +5,18 @@
 namespace enfilade {
 namespace {
 
-std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
-  const auto most = std::max_element(group_of_cluster.begin(), group_of_cluster.end());
-  return most == group_of_cluster.end() ? 0 : *most + 1;
-}
-
-/// The groups in a row of the coarse system, each once.
-std::vector<std::uint32_t> coupled_groups(const CoarseRow& row,
-                                          std::span<const std::uint32_t> group_of_cluster) {
-  std::vector<std::uint32_t> groups;
-  for (const CoarseRow::Entry& entry : row.entries) {
-    groups.push_back(group_of_cluster[entry.shooter.index()]);
-  }
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  return groups;
+/// Where a row of the coarse system has entries: column + count * zone of the receiver.
+std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
+                                   const CoarseUnknowns& unknowns) {
+  std::vector<std::uint32_t> places;
+  for_each_coupling(receiver, row, unknowns,
+                    [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
+                      const std::uint32_t zone = to - unknowns.first[receiver.index()];
+                      places.push_back(from + zone * static_cast<std::uint32_t>(unknowns.count));
+                    });
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
 }
 
 }  // namespace
@@ -35,25 +32,21 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, 
       config_(config),
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
-      group_of_cluster_(coarse_groups(prepared.clusters)),
-      groups_(count_groups(group_of_cluster_)),
+      unknowns_(coarse_unknowns(prepared.clusters)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
-      coarse_(groups_, bands_) {
+      coarse_(unknowns_.count, bands_) {
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
 }
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   files_.set_committed(plan.iteration - 1);
-  coarse_ = CoarseSystem(groups_, bands_);
-  resident_.set_correction([this, own = std::vector<double>(changes.begin(), changes.end())](
-                               ClusterState& state) {
-    if (own.empty()) return;
-    state.correct(std::span(own).subspan(group_of_cluster_[state.id().index()] * bands_, bands_));
-  });
-  // What is refined must not depend on the ranks' number and speeds, so it is decided by committed
-  // light alone. Light then spreads as with Jacobi, which the coarse correction makes up for.
-  resident_.set_committed_only(config_.jacobi ||
-                               (config_.same_on_any_ranks && (plan.refine || plan.sample)));
+  coarse_ = CoarseSystem(unknowns_.count, bands_);
+  resident_.set_correction(
+      [this, own = std::vector<double>(changes.begin(), changes.end())](ClusterState& state) {
+        if (own.empty()) return;
+        state.correct(unknowns_.of(state.id(), own, bands_));
+      });
+  resident_.set_committed_only(config_.light.committed_only(plan, unknowns_));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
@@ -107,7 +100,7 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
       },
       prepared_.scene.lights, occluders_, gather_config_);
   spend(machine_, result.work);
-  coarse_.add(group_of_cluster_[receiver.index()], result.coarse, group_of_cluster_);
+  coarse_.add(receiver, result.coarse, unknowns_);
   const WrittenReceiver written = resident_.write_receiver(receiver);
 
   IterationSums sums;
@@ -128,7 +121,7 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.links = state.links().size();
   resident_.unpin();
   recorder_.add({receiver, sums, written.patches, written.links,
-                 coupled_groups(result.coarse, group_of_cluster_)});
+                 coupled(receiver, result.coarse, unknowns_)});
   return sums;
 }
 
@@ -147,7 +140,7 @@ std::vector<double> RadiosityWork::merge(std::span<const double> a,
 Correction RadiosityWork::correct(std::span<const double> coarse) const {
   const CoarseSystem system = CoarseSystem::from_numbers(coarse);
   Correction correction;
-  correction.changes = system.solve();
+  correction.changes = system.solve(unknowns_);
   correction.missing_power = system.power(correction.changes);
   correction.absorbed_power = system.absorbed(correction.changes);
   correction.escaping_power = system.escaping(correction.changes);
@@ -163,7 +156,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   manifest.scene_hash = prepared_.scene.hash;
   manifest.finished = finished;
   manifest.correction.assign(changes.begin(), changes.end());
-  manifest.group_of_cluster = group_of_cluster_;
+  manifest.unknowns = unknowns_;
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);
   commit_manifest(layout_, manifest);

@@ -20,9 +20,7 @@ struct RadiosityWorkConfig {
   int max_depth = 20;
   double min_area_m2 = 0.0;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
-  bool same_on_any_ranks =
-      false;            ///< refine by committed light alone; the paper takes a rank's newest
-  bool jacobi = false;  ///< gather committed light alone, always
+  LightOrder light;
   MemoryManager memory_manager = MemoryManager::own;
   OracleKind oracle = OracleKind::error;
   VisibilityMethod visibility = VisibilityMethod::exact;
@@ -53,6 +51,7 @@ class RadiosityWork final : public ClusterWork {
 
   ResidencyCount residency_count() const { return resident_.count(); }
   const Occluders& occluders() const { return occluders_; }
+  const CoarseUnknowns& unknowns() const { return unknowns_; }
 
  private:
   ResidualConfig sampling(const IterationPlan& plan) const;
@@ -68,8 +67,8 @@ class RadiosityWork final : public ClusterWork {
   ResidentClusters resident_;
   Occluders occluders_;
   GatherConfig gather_config_;
-  std::vector<std::uint32_t> group_of_cluster_;
-  std::size_t groups_ = 0, bands_ = 1;
+  CoarseUnknowns unknowns_;
+  std::size_t bands_ = 1;
   double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;
 };

@@ -15,7 +15,7 @@ ReplayShared load(const std::string& recorded) {
   ReplayShared shared;
   shared.prepared = load_prepared(recorded);
   shared.recording = read_recording(recorded, shared.prepared.clusters.size());
-  shared.group_of_cluster = coarse_groups(shared.prepared.clusters);
+  shared.unknowns = coarse_unknowns(shared.prepared.clusters);
   shared.emitted = emitted_power(shared.prepared.scene, shared.prepared.clusters);
   shared.emitted_powers = emitted_powers(shared.prepared);
   return shared;

@@ -1,7 +1,6 @@
 #include "parallel/replay_work.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace enfilade {
 namespace {
@@ -43,11 +42,6 @@ class RecordShelf final : public SectionShelf {
   const Recording& recording_;
 };
 
-std::size_t count_groups(std::span<const std::uint32_t> group_of_cluster) {
-  const auto most = std::max_element(group_of_cluster.begin(), group_of_cluster.end());
-  return most == group_of_cluster.end() ? 0 : *most + 1;
-}
-
 }  // namespace
 
 ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout,
@@ -58,11 +52,7 @@ ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayo
       store_(layout, rank, shared_->prepared.clusters.size(), machine,
              std::make_unique<RecordShelf>(shared_->recording)),
       resident_(store_, machine, memory_bytes, manager),
-      groups_(count_groups(shared_->group_of_cluster)),
-      itself_(groups_),
-      coarse_(groups_, shared_->recording.bands) {
-  std::iota(itself_.begin(), itself_.end(), 0u);
-}
+      coarse_(shared_->unknowns.count, shared_->recording.bands) {}
 
 void ReplayWork::initialise(std::span<const ClusterId> own) {
   for (const ClusterId id : own) {
@@ -74,11 +64,9 @@ void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
   store_.set_committed(plan.iteration - 1);
   if (shared_->recording.light.coarse_correction)
-    coarse_ = CoarseSystem(groups_, shared_->recording.bands);
+    coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
   resident_.set_correction({});
-  const LightOrder& light = shared_->recording.light;
-  resident_.set_committed_only(light.jacobi ||
-                               (light.coarse_correction && (plan.refine || plan.sample)));
+  resident_.set_committed_only(shared_->recording.light.committed_only(plan, shared_->unknowns));
 }
 
 IterationSums ReplayWork::gather(ClusterId receiver) {
@@ -95,13 +83,11 @@ IterationSums ReplayWork::gather(ClusterId receiver) {
   spend(machine_, cost.sums.work);
   state.become(cost.patches, cost.links);
   if (shared_->recording.light.coarse_correction) {
-    CoarseRow row;
-    row.before = row.after = row.absorbed = row.escaping =
-        std::vector<double>(shared_->recording.bands, 0.0);
-    for (const std::uint32_t group : cost.coupled) {
-      row.entries.push_back({ClusterId(group), false, row.before});
+    const CoarseUnknowns& unknowns = shared_->unknowns;
+    const auto count = static_cast<std::uint32_t>(unknowns.count);
+    for (const std::uint32_t place : cost.coupled) {
+      coarse_.couple(unknowns.first[receiver.index()] + place / count, place % count);
     }
-    coarse_.add(shared_->group_of_cluster[receiver.index()], row, itself_);
   }
   resident_.write_receiver(receiver);
   resident_.unpin();
@@ -125,8 +111,8 @@ Correction ReplayWork::correct(std::span<const double>) const {
     for (std::size_t b = 0; b < std::min(after.size(), before.size()); ++b) after[b] -= before[b];
     return after;
   };
-  return {std::vector<double>(groups_ * recording.bands, 0.0), summary.missing_power,
-          brought(summary.sums.absorbed_power, gathered.absorbed_power),
+  return {std::vector<double>(shared_->unknowns.count * recording.bands, 0.0),
+          summary.missing_power, brought(summary.sums.absorbed_power, gathered.absorbed_power),
           brought(summary.sums.escaping_power, gathered.escaping_power)};
 }
 

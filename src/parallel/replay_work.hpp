@@ -19,7 +19,7 @@ namespace enfilade {
 struct ReplayShared {
   Prepared prepared;
   Recording recording;
-  std::vector<std::uint32_t> group_of_cluster;
+  CoarseUnknowns unknowns;
   Spectrum emitted;                    ///< power, per band
   std::vector<double> emitted_powers;  ///< by cluster
 };
@@ -54,8 +54,6 @@ class ReplayWork final : public ClusterWork {
   Machine& machine_;
   ClusterStore store_;
   BasicResidentClusters<RecordedCluster> resident_;
-  std::size_t groups_;
-  std::vector<std::uint32_t> itself_;  ///< group g is group g, for CoarseSystem::add
   CoarseSystem coarse_;
   int iteration_ = 0;
 };

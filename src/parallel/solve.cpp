@@ -51,7 +51,8 @@ void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
       dark_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
   machine.compute(count);
   for (const ClusterId id : own) {
-    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis);
+    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis,
+                       work.unknowns().zones[id.index()]);
     for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
       if (dark[work.occluders().global(id, k)] != 0) state.patches().seal(k);
     }
@@ -133,11 +134,12 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
-  CostRecorder recorder(layout.run, communicator.rank(), {config.coarse_correction, config.jacobi});
+  const LightOrder light{config.coarse_correction, config.jacobi};
+  CostRecorder recorder(layout.run, communicator.rank(), light);
   RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
                      recorder,
-                     {basis, config.max_depth, config.min_area_m2, memory, config.coarse_correction,
-                      config.jacobi, config.memory_manager, config.oracle, config.visibility});
+                     {basis, config.max_depth, config.min_area_m2, memory, light,
+                      config.memory_manager, config.oracle, config.visibility});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {

@@ -183,12 +183,14 @@ class ClusterStateCodec {
   }
 };
 
-ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis basis)
+ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis basis,
+                           std::size_t zones)
     : id_(cluster.id),
       cell_(cluster.cell),
       bands_(scene.bands),
       basis_(basis),
       patches_(cluster, frames_of(cluster, scene), scene.bands, static_cast<int>(basis)),
+      zones_(patches_, zones),
       links_(link_stride(basis)) {
   shrink();
 }
@@ -201,6 +203,7 @@ ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const 
   cell_ = g.get<CellId>();
   basis_ = g.get<Basis>();
   patches_ = ClusterStateCodec::read_geometry(g);
+  zones_ = CoarseZones::read(g);
   g.expect_end();
   bands_ = patches_.bands();
   ByteReader p(patches, what);
@@ -229,11 +232,12 @@ ClusterState ClusterState::shooter() const {
   copy.iteration_ = iteration_;
   copy.basis_ = basis_;
   copy.patches_ = patches_;
+  copy.zones_ = zones_;
   copy.links_ = LinkSet(links_.stride());
   return copy;
 }
 
-void ClusterState::correct(std::span<const double> changes) { patches_.add_share(changes); }
+void ClusterState::correct(std::span<const double> changes) { zones_.add_share(patches_, changes); }
 
 std::vector<std::byte> ClusterState::bytes_of(Section section) const {
   ByteWriter w;
@@ -243,6 +247,7 @@ std::vector<std::byte> ClusterState::bytes_of(Section section) const {
       w.put(cell_);
       w.put(basis_);
       ClusterStateCodec::write_geometry(patches_, w);
+      zones_.write(w);
       break;
     case Section::patches:
       w.put(iteration_);

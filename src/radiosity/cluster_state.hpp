@@ -9,6 +9,7 @@
 
 #include "base/ids.hpp"
 #include "clusters/cluster.hpp"
+#include "radiosity/coarse_zones.hpp"
 #include "radiosity/link.hpp"
 #include "radiosity/patch.hpp"
 #include "scene/scene.hpp"
@@ -23,8 +24,9 @@ enum class Section : std::uint8_t { geometry = 0, patches = 1, links = 2 };
 
 class ClusterState {
  public:
-  /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet.
-  ClusterState(const Cluster& cluster, const Scene& scene, Basis basis);
+  /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet. The coarse system
+  /// has at most `zones` unknowns for it.
+  ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t zones = 1);
   /// From the sections of its file; `links` may be empty for a cluster that only shoots.
   /// Throws RunError where the bytes are not such sections.
   ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
@@ -34,7 +36,7 @@ class ClusterState {
   ClusterState shooter() const;
   /// Gives back the memory that growing vectors have asked for in advance.
   void shrink();
-  /// Applies a coarse correction: the relative change of all of its light, per band.
+  /// Applies a coarse correction: the relative change of its light, [zone * bands + band].
   void correct(std::span<const double> changes);
   /// The iteration that it was last gathered for in; 0 = never.
   int iteration() const { return iteration_; }
@@ -50,6 +52,7 @@ class ClusterState {
   Basis basis() const { return basis_; }
   const PatchForest& patches() const { return patches_; }
   PatchForest& patches() { return patches_; }
+  const CoarseZones& zones() const { return zones_; }
   const LinkSet& links() const { return links_; }
   LinkSet& links() { return links_; }
 
@@ -62,6 +65,7 @@ class ClusterState {
   int iteration_ = 0;
   Basis basis_ = Basis::linear;
   PatchForest patches_;
+  CoarseZones zones_;
   LinkSet links_;
 };
 

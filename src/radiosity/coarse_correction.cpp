@@ -8,38 +8,79 @@
 
 namespace enfilade {
 
-std::vector<std::uint32_t> coarse_groups(std::span<const Cluster> clusters, std::size_t most) {
-  std::vector<std::uint32_t> group(clusters.size());
-  if (clusters.size() <= most) {
-    for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<std::uint32_t>(i);
-    return group;
-  }
-  // Clusters come by cell: runs of them, cut into equal shares so that large cells have several
-  // unknowns.
+namespace {
+
+/// Clusters come by cell: runs of them, cut into equal shares so that large cells have several
+/// unknowns.
+CoarseUnknowns shared_unknowns(std::span<const Cluster> clusters, std::size_t most) {
+  CoarseUnknowns unknowns{std::vector<std::uint32_t>(clusters.size()),
+                          std::vector<std::uint32_t>(clusters.size(), 1), 1};
   const std::size_t share = (clusters.size() + most - 1) / most;
-  std::uint32_t next = 0;
   std::size_t in_group = 0;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const bool other_cell =
         i > 0 && clusters[i].cell != clusters[i - 1].cell && 2 * in_group >= share;
-    if (i > 0 && (in_group >= share || other_cell)) {
-      ++next;
+    if (in_group >= share || other_cell) {
+      ++unknowns.count;
       in_group = 0;
     }
-    group[i] = next;
+    unknowns.first[i] = static_cast<std::uint32_t>(unknowns.count - 1);
     ++in_group;
   }
-  return group;
+  return unknowns;
 }
 
-CoarseSystem::CoarseSystem(std::size_t groups, std::size_t bands)
-    : groups_(groups),
+}  // namespace
+
+std::span<const double> CoarseUnknowns::of(ClusterId cluster, std::span<const double> numbers,
+                                           std::size_t bands) const {
+  const std::size_t begin = first[cluster.index()] * bands, size = zones[cluster.index()] * bands;
+  ENFILADE_CHECK(begin + size <= numbers.size(), std::to_string(begin));
+  return numbers.subspan(begin, size);
+}
+
+CoarseUnknowns coarse_unknowns(std::span<const Cluster> clusters, std::size_t least,
+                               std::size_t most) {
+  if (clusters.size() > most) return shared_unknowns(clusters, most);
+  double area_m2 = 0.0;
+  for (const Cluster& cluster : clusters) area_m2 += cluster.area_m2;
+  const double more =
+      area_m2 > 0.0 && clusters.size() < least ? static_cast<double>(least - clusters.size()) : 0.0;
+  CoarseUnknowns unknowns;
+  for (const Cluster& cluster : clusters) {
+    unknowns.first.push_back(static_cast<std::uint32_t>(unknowns.count));
+    unknowns.zones.push_back(
+        1 + static_cast<std::uint32_t>(more > 0.0 ? more * cluster.area_m2 / area_m2 : 0.0));
+    unknowns.count += unknowns.zones.back();
+  }
+  return unknowns;
+}
+
+void for_each_coupling(
+    ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns,
+    const std::function<void(std::uint32_t, std::uint32_t, std::span<const double>, bool)>& take) {
+  const std::size_t first = unknowns.first[receiver.index()];
+  for (const CoarseRow::Entry& entry : row.entries) {
+    // Each receiving zone has a run of numbers, and all bands of each shooting zone one of those.
+    const std::size_t shooting = unknowns.first[entry.shooter.index()];
+    const std::size_t run = entry.flow.size() / row.zones, bands = row.after.size() / row.zones;
+    for (std::size_t i = 0; i < entry.flow.size(); i += bands) {
+      const std::span flow = std::span(entry.flow).subspan(i, bands);
+      if (std::all_of(flow.begin(), flow.end(), [](double f) { return f == 0.0; })) continue;
+      take(static_cast<std::uint32_t>(first + i / run),
+           static_cast<std::uint32_t>(shooting + i % run / bands), flow, entry.stale);
+    }
+  }
+}
+
+CoarseSystem::CoarseSystem(std::size_t unknowns, std::size_t bands)
+    : unknowns_(unknowns),
       bands_(bands),
-      before_(groups * bands, 0.0),
-      after_(groups * bands, 0.0),
-      absorbed_(groups * bands, 0.0),
-      escaping_(groups * bands, 0.0),
-      rows_(groups) {}
+      before_(unknowns * bands, 0.0),
+      after_(unknowns * bands, 0.0),
+      absorbed_(unknowns * bands, 0.0),
+      escaping_(unknowns * bands, 0.0),
+      rows_(unknowns) {}
 
 CoarseSystem::Coupling& CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
   std::vector<Coupling>& couplings = rows_[row];
@@ -52,30 +93,33 @@ CoarseSystem::Coupling& CoarseSystem::coupling(std::size_t row, std::uint32_t co
   return *at;
 }
 
-void CoarseSystem::add(std::uint32_t group, const CoarseRow& row,
-                       std::span<const std::uint32_t> group_of_cluster) {
-  for (std::size_t b = 0; b < bands_; ++b) {
-    before_[group * bands_ + b] += row.before[b];
-    after_[group * bands_ + b] += row.after[b];
-    absorbed_[group * bands_ + b] += row.absorbed[b];
-    escaping_[group * bands_ + b] += row.escaping[b];
+void CoarseSystem::add(ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns) {
+  const std::size_t first = unknowns.first[receiver.index()] * bands_;
+  for (std::size_t i = 0; i < row.after.size(); ++i) {
+    before_[first + i] += row.before[i];
+    after_[first + i] += row.after[i];
+    absorbed_[first + i] += row.absorbed[i];
+    escaping_[first + i] += row.escaping[i];
   }
-  for (const CoarseRow::Entry& entry : row.entries) {
-    Coupling& to = coupling(group, group_of_cluster[entry.shooter.index()]);
-    std::vector<double>& flow = entry.stale ? to.stale : to.fresh;
-    for (std::size_t b = 0; b < bands_; ++b) flow[b] += entry.flow[b];
-  }
+  for_each_coupling(
+      receiver, row, unknowns,
+      [&](std::uint32_t to, std::uint32_t from, std::span<const double> flow, bool stale) {
+        Coupling& c = coupling(to, from);
+        std::vector<double>& sum = stale ? c.stale : c.fresh;
+        for (std::size_t b = 0; b < bands_; ++b) sum[b] += flow[b];
+      });
 }
 
 void CoarseSystem::merge(const CoarseSystem& other) {
-  ENFILADE_CHECK(other.groups_ == groups_ && other.bands_ == bands_, std::to_string(other.groups_));
+  ENFILADE_CHECK(other.unknowns_ == unknowns_ && other.bands_ == bands_,
+                 std::to_string(other.unknowns_));
   for (std::size_t i = 0; i < after_.size(); ++i) {
     before_[i] += other.before_[i];
     after_[i] += other.after_[i];
     absorbed_[i] += other.absorbed_[i];
     escaping_[i] += other.escaping_[i];
   }
-  for (std::size_t g = 0; g < groups_; ++g) {
+  for (std::size_t g = 0; g < unknowns_; ++g) {
     for (const Coupling& c : other.rows_[g]) {
       Coupling& to = coupling(g, c.column);
       for (std::size_t b = 0; b < bands_; ++b) {
@@ -86,37 +130,74 @@ void CoarseSystem::merge(const CoarseSystem& other) {
   }
 }
 
-std::vector<double> CoarseSystem::solve() const {
-  std::vector<double> changes(groups_ * bands_, 0.0);
+std::vector<double> CoarseSystem::solve(const CoarseUnknowns& unknowns) const {
+  std::vector<double> changes(unknowns_ * bands_, 0.0);
   for (std::size_t band = 0; band < bands_; ++band) {
-    const std::vector<double> x = solve_band(band);
-    for (std::size_t i = 0; i < groups_; ++i) changes[i * bands_ + band] = x[i];
+    const std::vector<double> x = solve_band(unknowns, band);
+    for (std::size_t i = 0; i < unknowns_; ++i) changes[i * bands_ + band] = x[i];
   }
   return changes;
 }
 
-/// BiCGSTAB (van der Vorst 1992) with the groups' power as preconditioner, for x = z - 1:
-/// P_c x_c - sum f'_cd x_d = sum (f'_cd - f_cd).
-std::vector<double> CoarseSystem::solve_band(std::size_t band) const {
-  const std::size_t n = groups_;
-  // How much the light that was read stale has grown since, and what then leaves each group: never
-  // more than arrived there, whatever rounding and the links' errors say.
-  std::vector<double> growth(n, 1.0), leaves(n, 0.0);
-  for (std::size_t j = 0; j < n; ++j) {
-    const double before = before_[j * bands_ + band], after = after_[j * bands_ + band];
-    if (before > 0.0 && after > 0.0) growth[j] = after / before;
-  }
-  const auto flow = [&](const Coupling& c) {
-    return c.fresh[band] + growth[c.column] * c.stale[band];
-  };
+/// How a link's light is shared out between the zones of its shooter is a guess, but what leaves
+/// the cluster is known: each zone gives the share of that which it reflects and which does not
+/// escape. And none gives more than arrived there, whatever rounding and the links' errors say.
+std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& unknowns,
+                                                        std::size_t band) const {
+  std::vector<Column> columns(unknowns_);
+  std::vector<double> fresh(unknowns_, 0.0), stale(unknowns_, 0.0);
   for (const auto& row : rows_) {
-    for (const Coupling& c : row) leaves[c.column] += std::max(0.0, flow(c));
+    for (const Coupling& c : row) {
+      fresh[c.column] += c.fresh[band];
+      stale[c.column] += c.stale[band];
+    }
   }
-  std::vector<double> share(n, 1.0);
-  for (std::size_t j = 0; j < n; ++j) {
+  for (std::size_t j = 0; j < unknowns_; ++j) {
+    const double before = before_[j * bands_ + band], after = after_[j * bands_ + band];
+    if (before > 0.0 && after > 0.0) columns[j].growth = after / before;
+  }
+  for (std::size_t c = 0; c < unknowns.first.size(); ++c) {
+    const std::size_t begin = unknowns.first[c], end = begin + unknowns.zones[c];
+    if (end - begin < 2) continue;
+    const auto gives = [&](std::size_t j) {
+      const std::size_t at = j * bands_ + band;
+      return std::max(0.0, after_[at] - absorbed_[at] - escaping_[at]);
+    };
+    double all_fresh = 0.0, all_stale = 0.0, now = 0.0, then = 0.0;
+    for (std::size_t j = begin; j < end; ++j) {
+      all_fresh += fresh[j];
+      all_stale += stale[j];
+      now += gives(j);
+      then += gives(j) / columns[j].growth;
+    }
+    for (std::size_t j = begin; j < end && now > 0.0; ++j) {
+      if (fresh[j] > 0.0) columns[j].fresh = gives(j) / now * all_fresh / fresh[j];
+      if (stale[j] > 0.0)
+        columns[j].stale = gives(j) / columns[j].growth / then * all_stale / stale[j];
+    }
+  }
+  for (std::size_t j = 0; j < unknowns_; ++j) {
+    Column& column = columns[j];
+    const double leaves = column.fresh * fresh[j] + column.growth * column.stale * stale[j];
     const double most = 0.9999 * std::max(0.0, after_[j * bands_ + band]);
-    if (leaves[j] > most) share[j] = most / leaves[j];
+    if (leaves > most) {
+      column.fresh *= most / leaves;
+      column.stale *= most / leaves;
+    }
   }
+  return columns;
+}
+
+/// BiCGSTAB (van der Vorst 1992) with the unknowns' power as preconditioner, for x = z - 1:
+/// P_c x_c - sum f'_cd x_d = sum (f'_cd - f_cd).
+std::vector<double> CoarseSystem::solve_band(const CoarseUnknowns& unknowns,
+                                             std::size_t band) const {
+  const std::size_t n = unknowns_;
+  const std::vector<Column> columns = this->columns(unknowns, band);
+  const auto flow = [&](const Coupling& c) {
+    const Column& from = columns[c.column];
+    return from.fresh * c.fresh[band] + from.growth * from.stale * c.stale[band];
+  };
   const auto power = [&](std::size_t i) {
     const double p = after_[i * bands_ + band];
     return p > 0.0 ? p : 1.0;
@@ -125,7 +206,7 @@ std::vector<double> CoarseSystem::solve_band(std::size_t band) const {
     std::vector<double> y(x);
     for (std::size_t i = 0; i < n; ++i) {
       for (const Coupling& c : rows_[i]) {
-        y[i] -= share[c.column] * flow(c) * x[c.column] / power(i);
+        y[i] -= flow(c) * x[c.column] / power(i);
       }
     }
     return y;
@@ -137,7 +218,8 @@ std::vector<double> CoarseSystem::solve_band(std::size_t band) const {
   for (std::size_t i = 0; i < n; ++i) {
     if (after_[i * bands_ + band] <= 0.0) continue;
     for (const Coupling& c : rows_[i]) {
-      r[i] += (growth[c.column] - 1.0) * c.stale[band] / power(i);
+      const Column& from = columns[c.column];
+      r[i] += from.stale * (from.growth - 1.0) * c.stale[band] / power(i);
     }
   }
   std::vector<double> x(n, 0.0), p(n, 0.0), v(n, 0.0);
@@ -174,7 +256,7 @@ double CoarseSystem::power(std::span<const double> changes) const {
   double worst = 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
     double sum = 0.0;
-    for (std::size_t g = 0; g < groups_; ++g) {
+    for (std::size_t g = 0; g < unknowns_; ++g) {
       sum += std::abs(after_[g * bands_ + b] * changes[g * bands_ + b]);
     }
     worst = std::max(worst, sum);
@@ -190,7 +272,7 @@ std::vector<double> CoarseSystem::sum(std::span<const double> power,
 }
 
 std::vector<double> CoarseSystem::to_numbers() const {
-  std::vector<double> numbers{static_cast<double>(groups_), static_cast<double>(bands_)};
+  std::vector<double> numbers{static_cast<double>(unknowns_), static_cast<double>(bands_)};
   for (const std::vector<double>* power : {&before_, &after_, &absorbed_, &escaping_}) {
     numbers.insert(numbers.end(), power->begin(), power->end());
   }
@@ -217,7 +299,7 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
   };
   for (std::vector<double>* power :
        {&system.before_, &system.after_, &system.absorbed_, &system.escaping_}) {
-    take(*power, system.groups_ * system.bands_);
+    take(*power, system.unknowns_ * system.bands_);
   }
   std::vector<double> head;
   for (auto& row : system.rows_) {

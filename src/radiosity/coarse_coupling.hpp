@@ -3,7 +3,8 @@
 
 #include <span>
 
-#include "radiosity/cluster_state.hpp"
+#include "radiosity/coarse_zones.hpp"
+#include "radiosity/link.hpp"
 
 namespace enfilade {
 
@@ -13,5 +14,31 @@ double area_factor(const PatchForest& receiver, const Link& link, std::span<cons
 
 /// Mean exitance of a shooting node in a band: what it gives of its own, not by reflection.
 double mean_exitance(const PatchForest& shooter, PatchId node, std::size_t band);
+
+/// What flows by reflection from one shooting cluster's zones to the receiving one's.
+class ZoneFlow {
+ public:
+  /// All must outlive it.
+  ZoneFlow(const PatchForest& receiver, const CoarseZones& receiving, const PatchForest& shooter,
+           const CoarseZones& shooting);
+
+  /// A link's power per band: what its shooter reflects, as it arrives.
+  void add(const Link& link, std::span<const float> transport, std::span<const double> power);
+  /// [(receiving zone * shooting zones + shooting zone) * bands + band]
+  std::vector<double> take() { return std::move(flow_); }
+
+ private:
+  void share_received(const Link& link, std::span<const float> transport);
+  void share_sent(PatchId node);
+
+  const PatchForest &receiver_, &shooter_;
+  const CoarseZones &receiving_, &shooting_;
+  std::size_t bands_;
+  std::vector<double> reflected_;  ///< [shooting zone * bands + band]
+  std::vector<double> received_;   ///< share of the link at hand, by receiving zone
+  std::vector<double> sent_;       ///< and by shooting zone, per band
+  CoarseZones::Range from_;        ///< shooting zones of the link at hand
+  std::vector<double> flow_;
+};
 
 }  // namespace enfilade

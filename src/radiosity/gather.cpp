@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/error.hpp"
 #include "radiosity/coarse_coupling.hpp"
@@ -28,7 +29,8 @@ class Gatherer {
         samples_(receiver, occluders, config.residual, result_.work),
         kept_(receiver.links().stride()),
         light_(bands_ * terms_),
-        means_(bands_) {
+        means_(bands_),
+        flow_(bands_) {
     result_.beamed_power.assign(bands_, 0.0);
     result_.doubtful_power.assign(bands_, 0.0);
   }
@@ -39,8 +41,9 @@ class Gatherer {
 
  private:
   void link_root(ClusterId cluster, PatchId shooter);
-  void take_links(ClusterId cluster, const PatchForest* shooter, bool stale);
-  void receive(const Link& link, std::span<const float> transport, const PatchForest* shooter);
+  void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
+  void receive(const Link& link, std::span<const float> transport, const PatchForest* shooter,
+               ZoneFlow* flow);
   double read_light(const Link& link, const PatchForest* shooter);
   void receive_beam(const Link& link, std::span<const float> transport);
   void receive_patch(const Link& link, std::span<const float> transport);
@@ -64,7 +67,7 @@ class Gatherer {
   bool changed_ = false;
   std::vector<double> gathered_;       ///< irradiance at every node, indexed like the light
   std::vector<double> light_, means_;  ///< of the link at hand: as the basis has it; per band
-  std::vector<double> flow_;           ///< per band: power by reflection from the shooter at hand
+  std::vector<double> flow_;           ///< per band: power by reflection, of the link at hand
 };
 
 /// First link: the whole receiving cluster from a whole visible cluster, or from a light.
@@ -89,11 +92,12 @@ void Gatherer::from(const ClusterState& shooter) {
   if (config_.close_rows) closing_.see(shooter);
   samples_.from(shooter);
   const bool itself = shooter.id() == receiver_.id();
-  take_links(shooter.id(), &shooter.patches(), itself || shooter.iteration() < config_.iteration);
+  take_links(shooter.id(), &shooter, itself || shooter.iteration() < config_.iteration);
 }
 
 /// Refines the links from one cluster, then gathers over what they became.
-void Gatherer::take_links(ClusterId cluster, const PatchForest* shooter, bool stale) {
+void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool stale) {
+  const PatchForest* shooter = state == nullptr ? nullptr : &state->patches();
   const LinkSet& links = receiver_.links();
   const std::size_t begin = next_, kept_begin = kept_.size();
   while (next_ < links.size() && links[next_].shooter_cluster == cluster) ++next_;
@@ -106,11 +110,16 @@ void Gatherer::take_links(ClusterId cluster, const PatchForest* shooter, bool st
   const std::size_t first = config_.refine ? kept_begin : begin;
   const std::size_t end = config_.refine ? kept_.size() : next_;
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
-  flow_.clear();
+  std::optional<ZoneFlow> flow;
+  if (shooter != nullptr)
+    flow.emplace(receiver_.patches(), receiver_.zones(), *shooter, state->zones());
+  bool any = false;
   for (std::size_t i = first; i < end; ++i) {
-    if (now[i].evaluated) receive(now[i], now.transport(i), shooter);
+    if (!now[i].evaluated) continue;
+    receive(now[i], now.transport(i), shooter, flow ? &*flow : nullptr);
+    any = true;
   }
-  if (!flow_.empty()) result_.coarse.entries.push_back({cluster, stale, flow_});
+  if (any && flow) result_.coarse.entries.push_back({cluster, stale, flow->take()});
 }
 
 /// Sets light_ to what the shooter sends, as the link's transport takes it; returns its variation.
@@ -140,7 +149,7 @@ double Gatherer::read_light(const Link& link, const PatchForest* shooter) {
 }
 
 void Gatherer::receive(const Link& link, std::span<const float> transport,
-                       const PatchForest* shooter) {
+                       const PatchForest* shooter, ZoneFlow* flow) {
   const double variation = read_light(link, shooter);
   double top = 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -154,10 +163,10 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   if (shooter == nullptr) {
     for (std::size_t b = 0; b < bands_; ++b) result_.beamed_power[b] += factor * means_[b];
   } else {
-    flow_.resize(bands_, 0.0);
     for (std::size_t b = 0; b < bands_; ++b) {
-      flow_[b] += factor * (means_[b] - mean_exitance(*shooter, link.shooter, b));
+      flow_[b] = factor * (means_[b] - mean_exitance(*shooter, link.shooter, b));
     }
+    flow->add(link, transport, flow_);
   }
   if (config_.close_rows) closing_.add(link, transport, means_, variation);
   link.receiver.is_group() ? receive_beam(link, transport) : receive_patch(link, transport);
@@ -221,21 +230,25 @@ void Gatherer::close_rows() {
   result_.doubtful_power = closing_.doubtful_power();
   const Spectrum after = gathered_power();
   for (CoarseRow::Entry& entry : result_.coarse.entries) {
-    for (std::size_t b = 0; b < bands_; ++b) {
-      if (before[b] > 0.0 && after[b] > 0.0) entry.flow[b] *= after[b] / before[b];
+    for (std::size_t i = 0; i < entry.flow.size(); ++i) {
+      const std::size_t b = i % bands_;
+      if (before[b] > 0.0 && after[b] > 0.0) entry.flow[i] *= after[b] / before[b];
     }
   }
 }
 
+/// [zone * bands + band]
 std::vector<double> Gatherer::arriving_power() const {
   const PatchForest& patches = receiver_.patches();
-  std::vector<double> power(bands_, 0.0);
-  for (std::size_t k = 0; k < patches.polygons(); ++k) {
+  std::vector<double> sums(receiver_.zones().size() * bands_, 0.0), power(bands_);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    if (!patches.node(n).leaf()) continue;
     for (std::size_t b = 0; b < bands_; ++b) {
-      power[b] += patches.node(k).shape.area_m2 * patches.irradiance(k)[b * terms_];
+      power[b] = patches.node(n).shape.area_m2 * patches.irradiance(n)[b * terms_];
     }
+    receiver_.zones().add(patches, patches.node(n).id, power, sums);
   }
-  return power;
+  return sums;
 }
 
 /// Pushes and pulls what was gathered, and measures what changed.
@@ -249,10 +262,15 @@ void Gatherer::push_pull() {
   result_.absorbed_power.assign(bands_, 0.0);
   result_.returning_power.assign(bands_, 0.0);
   for (const CoarseRow::Entry& entry : result_.coarse.entries) {
-    for (std::size_t b = 0; b < bands_; ++b) result_.returning_power[b] += entry.flow[b];
+    for (std::size_t i = 0; i < entry.flow.size(); ++i) {
+      result_.returning_power[i % bands_] += entry.flow[i];
+    }
   }
   result_.escaping_power.assign(bands_, 0.0);
-  result_.coarse.escaping.assign(bands_, 0.0);
+  const std::size_t zones = result_.coarse.zones = receiver_.zones().size();
+  result_.coarse.absorbed.assign(zones * bands_, 0.0);
+  result_.coarse.escaping.assign(zones * bands_, 0.0);
+  Spectrum absorbed(bands_), escaping(bands_);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
@@ -263,16 +281,20 @@ void Gatherer::push_pull() {
       result_.max_change = std::max(result_.max_change, delta);
       change[b] += node.shape.area_m2 * delta;
       received[b] += power;
-      result_.absorbed_power[b] += (1.0 - patches.frames()[node.id.root].reflectance[b]) * power;
+      const double reflectance = patches.frames()[node.id.root].reflectance[b];
+      absorbed[b] = (1.0 - reflectance) * power;
+      escaping[b] = 0.0;
+      result_.absorbed_power[b] += absorbed[b];
       if (patches.exposure(n) >= 0.0f) {
         const double share = 1.0 - static_cast<double>(patches.exposure(n));
         result_.escaping_power[b] += share * node.shape.area_m2 * patches.radiosity(n)[b * terms_];
-        result_.coarse.escaping[b] += share * patches.frames()[node.id.root].reflectance[b] * power;
+        escaping[b] = share * reflectance * power;
       }
     }
+    receiver_.zones().add(patches, node.id, absorbed, result_.coarse.absorbed);
+    receiver_.zones().add(patches, node.id, escaping, result_.coarse.escaping);
   }
   result_.coarse.after = arriving_power();
-  result_.coarse.absorbed = result_.absorbed_power;
   result_.arriving_power = received;
   result_.received_power = *std::max_element(received.begin(), received.end());
   result_.change_power = *std::max_element(change.begin(), change.end());

@@ -153,10 +153,8 @@ class PatchForest {
   /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
   /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
-  /// Adds these shares (per band) of each polygon's irradiance, and what is reflected of that: as
-  /// evenly over the polygon as its darkest leaf is lit, so that no leaf gains more than twice its
-  /// own share and the dark stays dark; the rest, and what is taken, by each node's own light.
-  void add_share(std::span<const double> shares);
+  /// The leaves' irradiance -> irradiance and radiosity of every node, and of the groups.
+  void pull();
   /// The leaf of a polygon that point p of its plane lies in.
   std::size_t leaf_at(std::size_t polygon, const Vec3& p) const;
   /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its

@@ -134,6 +134,11 @@ void PatchForest::push_pull(std::span<const double> gathered) {
       }
     }
   }
+  pull();
+}
+
+void PatchForest::pull() {
+  const std::size_t n = stride();
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     const PatchNode& parent = nodes_[i];
     const PolygonFrame& frame = frames_[parent.id.root];
@@ -236,37 +241,6 @@ void PatchForest::expose_to(std::uint32_t lit_polygons) {
   if (lit_polygons <= exposed_to_ + exposed_to_ / 256) return;
   exposed_to_ = lit_polygons;
   std::fill(exposure_.begin(), exposure_.end(), -1.0f);
-}
-
-void PatchForest::add_share(std::span<const double> shares) {
-  const auto bands = static_cast<std::size_t>(bands_), terms = static_cast<std::size_t>(terms_);
-  // Per polygon and band: its mean light, and what of an addition is spread evenly.
-  std::vector<double> means(polygons() * bands), even(polygons() * bands, 1.0);
-  for (std::size_t k = 0; k < polygons(); ++k) {
-    for (std::size_t b = 0; b < bands; ++b) means[k * bands + b] = irradiance(k)[b * terms];
-  }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!nodes_[i].leaf()) continue;
-    for (std::size_t b = 0; b < bands; ++b) {
-      const std::size_t at = nodes_[i].id.root * bands + b;
-      const double least = means[at] > 0.0 ? irradiance(i)[b * terms] / means[at] : 0.0;
-      even[at] = std::clamp(least, 0.0, even[at]);
-    }
-  }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::uint32_t k = nodes_[i].id.root;
-    for (std::size_t b = 0; b < bands; ++b) {
-      const double evenly = shares[b] > 0.0 ? even[k * bands + b] : 0.0;
-      for (std::size_t t = 0; t < terms; ++t) {
-        double& e = irradiance(i)[b * terms + t];
-        const double all_over = t == 0 ? evenly * means[k * bands + b] : 0.0;
-        const double change = shares[b] * (all_over + (1.0 - evenly) * e);
-        e += change;
-        radiosity(i)[b * terms + t] += frames_[k].reflectance[b] * change;
-      }
-    }
-  }
-  pull_groups();
 }
 
 std::size_t PatchForest::leaf_at(std::size_t polygon, const Vec3& p) const {

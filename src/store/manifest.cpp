@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int manifest_version = 4;  // 4: bands that are alike are one
+constexpr int manifest_version = 5;  // 5: a cluster may have several unknowns in the coarse system
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.
@@ -49,7 +49,12 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.finished = json.at("finished");
     m.history = json.at("history").get<std::vector<std::vector<double>>>();
     m.correction = json.at("correction").get<std::vector<double>>();
-    m.group_of_cluster = json.at("group_of_cluster").get<std::vector<std::uint32_t>>();
+    m.unknowns.first = json.at("first_unknown").get<std::vector<std::uint32_t>>();
+    m.unknowns.zones = json.at("zones").get<std::vector<std::uint32_t>>();
+    if (!m.correction.empty() &&
+        (m.unknowns.first.size() != m.clusters || m.unknowns.zones.size() != m.clusters)) {
+      throw RunError(path + ": damaged; solve again without --resume");
+    }
     return m;
   } catch (const nlohmann::json::exception&) {
     throw RunError(path + ": damaged; solve again without --resume");
@@ -70,7 +75,8 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
                                        {"finished", m.finished},
                                        {"history", history},
                                        {"correction", finite(m.correction)},
-                                       {"group_of_cluster", m.group_of_cluster}};
+                                       {"first_unknown", m.unknowns.first},
+                                       {"zones", m.unknowns.zones}};
   // An iteration under way must outlive the death of its processes, which the page cache does; a
   // finished run must outlive the machine's as well.
   if (m.finished) flush_to_disk(layout.common());

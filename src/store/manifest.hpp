@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/cluster_state.hpp"
+#include "radiosity/coarse_correction.hpp"
 #include "store/run_layout.hpp"
 
 namespace enfilade {
@@ -22,7 +23,7 @@ struct Manifest {
   std::vector<std::vector<double>> history;
   /// What the next iteration corrects this one's light by; may be empty.
   std::vector<double> correction;
-  std::vector<std::uint32_t> group_of_cluster;  ///< a cluster's row of `correction`
+  CoarseUnknowns unknowns;  ///< whose they are
 
   /// The slot that this iteration's patches lie in.
   Slot slot() const { return iteration % 2 == 0 ? Slot::a : Slot::b; }

@@ -28,10 +28,8 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
     }
     ClusterState& state = states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
     const auto bands = static_cast<std::size_t>(state.bands());
-    const std::size_t row =
-        i < manifest->group_of_cluster.size() ? manifest->group_of_cluster[i] * bands : 0;
-    if (row + bands <= manifest->correction.size()) {
-      state.correct(std::span(manifest->correction).subspan(row, bands));
+    if (!manifest->correction.empty()) {
+      state.correct(manifest->unknowns.of(id, manifest->correction, bands));
     }
   }
   return states;

@@ -74,40 +74,43 @@ struct Solved {
 
   Solved(Scene s, Basis basis, double epsilon, bool coarse = true, int most = 500)
       : scene(std::move(s)), clusters(clusters_of(scene)), occluders(clusters) {
-    for (const Cluster& c : clusters) states.emplace_back(c, scene, basis);
+    const CoarseUnknowns unknowns = coarse_unknowns(clusters);
+    for (const Cluster& c : clusters) {
+      states.emplace_back(c, scene, basis, unknowns.zones[c.id.index()]);
+    }
     const Spectrum emitted = emitted_power(scene, clusters);
     GatherConfig config;
     std::vector<ClusterId> all;
     for (const Cluster& c : clusters) all.push_back(c.id);
     config.refinement.link_tolerance = epsilon * *std::max_element(emitted.begin(), emitted.end());
     config.refinement.min_area_m2 = 1e-8 * occluders.extent_m() * occluders.extent_m();
-    const std::vector<std::uint32_t> groups = coarse_groups(clusters);
     const auto bands = static_cast<std::size_t>(scene.bands);
     for (iterations = 1; iterations <= most; ++iterations) {
       config.iteration = iterations;
       config.close_rows = iterations > 3;
-      CoarseSystem system(groups.back() + 1, bands);
+      CoarseSystem system(unknowns.count, bands);
       double change = 0.0, received = 0.0, absorbed = 0.0;
       links = 0;
+      const std::vector<ClusterState> committed = states;
       for (ClusterState& receiver : states) {
         const GatherResult r = gather(
             receiver, all,
-            [this](ClusterId id) -> const ClusterState& { return states[id.index()]; },
+            [&committed](ClusterId id) -> const ClusterState& { return committed[id.index()]; },
             scene.lights, occluders, config);
         change += r.change_power;
         received += r.received_power;
         absorbed += r.absorbed_power[0];
         work += r.work;
         links += receiver.links().size();
-        system.add(groups[receiver.id().index()], r.coarse, groups);
+        system.add(receiver.id(), r.coarse, unknowns);
       }
       absorbed_share = absorbed / emitted[0];
       double missing = 0.0;
       if (coarse && iterations > 1) {
-        const std::vector<double> offsets = system.solve();
+        const std::vector<double> offsets = system.solve(unknowns);
         missing = system.power(offsets);
         for (ClusterState& s2 : states) {
-          s2.correct(std::span(offsets).subspan(groups[s2.id().index()] * bands, bands));
+          s2.correct(unknowns.of(s2.id(), offsets, bands));
         }
       }
       if (iterations > 4 && change + missing < 1e-6 * received) break;

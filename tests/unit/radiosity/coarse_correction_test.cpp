@@ -13,7 +13,7 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   // lead to the fixed point at once.
   const double rho1 = 0.9, rho2 = 0.8, both = rho1 * rho2;
   CoarseSystem system(2, 1);
-  const std::vector<std::uint32_t> groups{0, 1};
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
   CoarseRow first, second;
   first.absorbed = {1.0};
   first.escaping = {0.5};
@@ -24,9 +24,9 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   second.before = second.after = {3.0 * rho1};
   first.entries = {{ClusterId(1u), true, {3.0 * both}}};
   second.entries = {{ClusterId(0u), true, {3.0 * rho1}}};
-  system.add(0, first, groups);
-  system.add(1, second, groups);
-  const std::vector<double> x = CoarseSystem::from_numbers(system.to_numbers()).solve();
+  system.add(ClusterId(0u), first, unknowns);
+  system.add(ClusterId(1u), second, unknowns);
+  const std::vector<double> x = CoarseSystem::from_numbers(system.to_numbers()).solve(unknowns);
   const double e1 = 1.0 / (1.0 - both), e2 = rho1 * e1;
   EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
   EXPECT_NEAR(rho1 * (1.0 + x[1]), e2, 1e-5);
@@ -38,15 +38,15 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
 TEST(CoarseSystem, LightThatNobodyGivesDies) {
   // A sealed pair with light left over, which fades by a tenth a sweep: nothing comes in.
   CoarseSystem system(2, 1);
-  const std::vector<std::uint32_t> groups{0, 1};
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
   CoarseRow row;
   row.before = row.absorbed = row.escaping = {1.0};
   row.after = {0.9};
   row.entries = {{ClusterId(1u), true, {0.9}}};
-  system.add(0, row, groups);
+  system.add(ClusterId(0u), row, unknowns);
   row.entries = {{ClusterId(0u), true, {0.9}}};
-  system.add(1, row, groups);
-  for (const double change : system.solve()) EXPECT_NEAR(change, -1.0, 1e-4);
+  system.add(ClusterId(1u), row, unknowns);
+  for (const double change : system.solve(unknowns)) EXPECT_NEAR(change, -1.0, 1e-4);
 }
 
 TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
@@ -56,9 +56,76 @@ TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
     EXPECT_LE(with.iterations, 12) << rho;
     EXPECT_NEAR(with.states[0].patches().irradiance(0)[0] * (1.0 - rho), 1.0, 1e-4) << rho;
   }
+  const testing::Solved corridor(testing::box_room({0, 0, 0}, {40, 4, 4}, {0.99}, {1.0}),
+                                 Basis::linear, 1e-3);
+  EXPECT_LE(corridor.iterations, 40);  // 150 with one unknown a wall
   const testing::Solved without(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.9}, {1.0}),
                                 Basis::linear, 1e-3, false);
   EXPECT_GT(without.iterations, 30);
+}
+
+TEST(CoarseUnknowns, AreZonesWhereClustersAreFewAndSharedWhereTheyAreMany) {
+  std::vector<Cluster> clusters(3);
+  for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].id = ClusterId(i);
+  clusters[0].area_m2 = 3.0;
+  clusters[1].area_m2 = 1.0;
+  const CoarseUnknowns few = coarse_unknowns(clusters, 11);
+  EXPECT_EQ(few.zones, (std::vector<std::uint32_t>{7, 3, 1}));
+  EXPECT_EQ(few.first, (std::vector<std::uint32_t>{0, 7, 10}));
+  EXPECT_EQ(few.count, 11u);
+  const std::vector<double> numbers(22, 1.0);
+  EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).data(), numbers.data() + 14);
+  EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).size(), 6u);
+  clusters[1].cell = clusters[2].cell = CellId(1u);
+  const CoarseUnknowns many = coarse_unknowns(clusters, 1, 2);
+  EXPECT_EQ(many.first, (std::vector<std::uint32_t>{0, 1, 1}));
+  EXPECT_EQ(many.count, 2u);
+}
+
+TEST(CoarseZones, CutTheHierarchyInOrder) {
+  // A cube of one cluster: the group's halves, then its polygons, then their halves.
+  const Scene scene = testing::box_room({0, 0, 0}, {2, 2, 2}, {0.5}, {1.0});
+  Cluster all;
+  for (const Cluster& c : testing::clusters_of(scene)) {
+    all.polygons.insert(all.polygons.end(), c.polygons.begin(), c.polygons.end());
+    all.area_m2 += c.area_m2;
+  }
+  for (const std::size_t most : {1u, 2u, 6u, 12u}) {
+    ClusterState state(all, scene, Basis::constant, most);
+    const CoarseZones& zones = state.zones();
+    PatchForest& f = state.patches();
+    EXPECT_EQ(zones.size(), most);
+    EXPECT_EQ(zones.of(f, f.root()).size(), most);
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < f.polygons(); ++i) {  // neighbours in the order share or follow
+      const CoarseZones::Range range = zones.of(f, {f.order()[i], 1});
+      EXPECT_TRUE(range.begin == next || range.begin + 1 == next);
+      next = range.end;
+    }
+    EXPECT_EQ(next, most);
+    // What lies in a zone is that zone's; what several share, by area.
+    const CoarseZones::Range whole = zones.of(f, {0, 1});
+    EXPECT_EQ(whole.size(), most == 12 ? 2u : 1u);
+    EXPECT_EQ(zones.of(f, {0, 0b1011}).size(), 1u);
+    const std::vector<double> power{6.0};
+    std::vector<double> sums(most, 0.0);
+    zones.add(f, {0, 1}, power, sums);
+    EXPECT_NEAR(sums[whole.begin], most == 12 ? 3.0 : 6.0, 1e-12);
+    // A correction of each zone's own share leaves the rest as it was.
+    f.subdivide(0);
+    std::vector<double> gathered(f.size(), 0.0);
+    std::fill_n(gathered.begin(), f.polygons(), 1.0);
+    f.push_pull(gathered);
+    std::vector<double> shares(most, 0.0);
+    shares[whole.begin] = 1.0;
+    state.correct(shares);
+    EXPECT_NEAR(f.irradiance(0)[0], most == 12 ? 1.5 : 2.0, 1e-12);
+    EXPECT_NEAR(f.irradiance(f.order()[5])[0],
+                most == 1           ? 2.0
+                : f.order()[5] == 0 ? 1.5
+                                    : 1.0,
+                1e-12);
+  }
 }
 
 }  // namespace

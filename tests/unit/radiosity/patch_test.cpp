@@ -119,7 +119,7 @@ TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
   }
 }
 
-TEST(PatchForest, AnAddedShareKeepsTheDarkDark) {
+TEST(CoarseZones, AnAddedShareKeepsTheDarkDark) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.5}, {0.0, 0.0});
   ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
   PatchForest& f = state.patches();
@@ -129,7 +129,7 @@ TEST(PatchForest, AnAddedShareKeepsTheDarkDark) {
   gathered[child * 2 + 1] = 6.0;
   gathered[(child + 1) * 2 + 1] = 4.0;  // band 1: nearly even, 5 in the mean
   f.push_pull(gathered);
-  f.add_share(std::vector<double>{1.0, 1.0});
+  state.correct(std::vector<double>{1.0, 1.0});
   EXPECT_EQ(f.irradiance(child + 1)[0], 0.0);
   EXPECT_NEAR(f.irradiance(child)[0], 12.0, 1e-12);
   EXPECT_NEAR(f.irradiance(0)[0], 6.0, 1e-12);

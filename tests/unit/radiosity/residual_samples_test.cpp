@@ -56,7 +56,7 @@ TEST(ResidualSamples, FindLightThatIsWrongAllOver) {
   EXPECT_NEAR(right.off[0] / right.light[0], 0.0, 2e-3);
   for (std::size_t c = 0; c < solved.states.size(); ++c) {
     ClusterState bright = solved.states[c];
-    bright.correct(std::vector<double>{0.05});
+    bright.correct(std::vector<double>(bright.zones().size(), 0.05));
     WorkCount work;
     ResidualSamples samples(bright, solved.occluders, config, work);
     for (const ClusterState& state : solved.states) samples.from(state);
