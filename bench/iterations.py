@@ -53,7 +53,7 @@ def iterations(options, scene, reflectance, ranks, words):
         platforms = os.path.join(ROOT, "platforms")
         subprocess.run(["smpirun", "-np", str(ranks), "-platform", os.path.join(platforms, "office.xml"), "-hostfile",
                         os.path.join(platforms, "office-4.hosts"), os.path.join(options.bin, "enfilade-smpi"), "solve",
-                        path, "-o", os.path.join(folder, "run"), "--epsilon", "0.01", "--tolerance", options.tolerance,
+                        path, "-o", os.path.join(folder, "run"), "--tolerance", options.tolerance,
                         "--max-iterations", "5000", "--no-pictures", "--quiet", *words],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with open(os.path.join(folder, "run", "stats.json"), encoding="utf-8") as file:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/console.hpp"
+#include "base/nearest_word.hpp"
 
 namespace enfilade {
 
@@ -23,22 +24,6 @@ constexpr const char* examples =
     "Lengths are metres. Light is W/m2, or lm/m2 (lux) where the scene says so.\n"
     "Exit status: 0 done, 1 the run failed, 2 the input or the command line is wrong.";
 
-/// Fewest single-letter edits between two words.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row.back();
-}
-
 std::vector<std::string> subcommand_names(const CLI::App& cli) {
   std::vector<std::string> names;
   for (const CLI::App* sub : cli.get_subcommands([](const CLI::App*) { return true; })) {
@@ -49,15 +34,9 @@ std::vector<std::string> subcommand_names(const CLI::App& cli) {
 
 /// A first word that is no subcommand gets the list of them, and the one that it may have meant.
 InputError unknown_subcommand(const std::vector<std::string>& names, const std::string& word) {
-  std::string all, nearest;
-  std::size_t least = 3;
-  for (const std::string& name : names) {
-    all += (all.empty() ? "" : ", ") + name;
-    if (const std::size_t d = edit_distance(word, name); d < least) {
-      least = d;
-      nearest = name;
-    }
-  }
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  const std::string nearest = nearest_word(word, names);
   const std::string hint = nearest.empty() ? "" : "did you mean '" + nearest + "'? ";
   return InputError("command line", word, "no such subcommand", hint + "there are " + all);
 }

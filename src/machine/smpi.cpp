@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "machine/background_load.hpp"
 #include "machine/cost_model.hpp"
 #include "machine/machine.hpp"
@@ -43,6 +44,32 @@ double seconds_of(const s4u::Disk& disk, const char* key, double of_model) {
   throw InputError("platform", "disk " + disk.get_name() + ": " + key,
                    "'" + std::string(own) + "' is not a number of seconds from 0 up",
                    "give it as platforms/README.md shows");
+}
+
+/// A property that nobody reads may be another program's; one that is nearly ours was misspelt.
+template <class Described>
+void refuse_misspelt(const Described& described, const std::string& what,
+                     const std::vector<std::string>& ours) {
+  for (const auto& [key, value] : *described.get_properties()) {
+    if (std::find(ours.begin(), ours.end(), key) != ours.end()) continue;
+    const std::string meant = nearest_word(key, ours);
+    if (meant.empty()) continue;
+    throw InputError("platform", what + " " + described.get_name() + ": " + key, "no such property",
+                     "did you mean '" + meant + "'?");
+  }
+}
+
+void refuse_misspelt(const s4u::Host& host) {
+  refuse_misspelt(host, "host", {"memory", "serves"});
+  const char* serves = host.get_property("serves");
+  if (serves != nullptr && std::string(serves) != "common" && std::string(serves) != "alone") {
+    throw InputError("platform", "host " + host.get_name() + ": serves",
+                     "'" + std::string(serves) + "' is neither common nor alone",
+                     "give it as platforms/README.md shows");
+  }
+  for (const s4u::Disk* disk : host.get_disks()) {
+    refuse_misspelt(*disk, "disk", {"background", "request_s", "seek_s"});
+  }
 }
 
 /// Made by the first rank that comes by; lives as long as the simulation.
@@ -138,12 +165,14 @@ std::uint64_t memory_of(const s4u::Host& host) {
 class SimulatedMachine final : public Machine {
  public:
   explicit SimulatedMachine(const CostModel& costs)
-      : costs_(costs), here_(s4u::this_actor::get_host()), common_(common_servers(*here_)) {
-    // All disks, so that every rank refuses the same platform.
+      : costs_(costs), here_(s4u::this_actor::get_host()) {
+    // All hosts and disks, so that every rank refuses the same platform.
     for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
+      refuse_misspelt(*host);
       for (s4u::Disk* disk : host->get_disks()) arm_of(*disk, costs_.disk);
       memory_of(*host);
     }
+    common_ = common_servers(*here_);
     if (!here_->get_disks().empty()) local_ = {here_, here_->get_disks().front(), {}, {}};
     // All ranks were placed before the first one ran: those of one host share its memory.
     const auto ranks = std::max<std::size_t>(1, here_->get_actor_count());

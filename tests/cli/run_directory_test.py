@@ -265,6 +265,20 @@ class SimulatedInputs(InScratch):
             self.assertIn("server-disk: seek_s", said(result)[0])
             self.assertFalse((self.scratch / "run").exists())
 
+    def test_a_misspelt_property_is_refused(self):
+        platform = self.scratch / "office.xml"
+        text = (ROOT / "platforms/office.xml").read_text()
+        for right, wrong, told in (('id="seek_s"', 'id="seeks"', "did you mean 'seek_s'?"),
+                                   ('id="serves"', 'id="server"', "did you mean 'serves'?"),
+                                   ('value="common"', 'value="comon"', "neither common nor alone")):
+            self.assertIn(right, text)
+            platform.write_text(text.replace(right, wrong))
+            result = self.smpirun(4, "solve", ROOM, "-o", self.scratch / "run", platform=platform)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertEqual(len(said(result)), 1, result.stderr)
+            self.assertIn(told, said(result)[0])
+            self.assertFalse((self.scratch / "run").exists())
+
     def test_a_replay_is_not_taken_for_a_run(self):
         run, replayed = self.scratch / "run", self.scratch / "replayed"
         self.assertEqual(solve(ROOM, run).returncode, 0)

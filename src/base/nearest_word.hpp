@@ -1,0 +1,13 @@
+// For what was misspelt.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace enfilade {
+
+/// The known word that is within two single-letter edits of this one, the nearest of them; empty
+/// where there is none.
+std::string nearest_word(const std::string& word, std::span<const std::string> known);
+
+}  // namespace enfilade
