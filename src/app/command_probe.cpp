@@ -51,6 +51,11 @@ void add_probe(CLI::App& cli, Command& chosen) {
                   "Rays over the hemisphere that tell what a point sees")
       ->check(CLI::Range(1, 100000000))
       ->capture_default_str();
+  sub->add_option("--noise", options->gather.noise,
+                  "More rays, up to 16 times as many, where their noise is above this share of a "
+                  "point's light (0: never)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   sub->add_option("--seed", options->gather.seed, "Seed of the rays")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

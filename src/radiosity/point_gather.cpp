@@ -8,6 +8,26 @@
 #include "radiosity/bright_polygons.hpp"
 
 namespace enfilade {
+namespace {
+
+Spectrum mean_irradiance(std::span<const ClusterState> clusters) {
+  Spectrum mean(clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()), 0.0);
+  double area = 0.0;
+  for (const ClusterState& cluster : clusters) {
+    const PatchForest& patches = cluster.patches();
+    for (std::size_t k = 0; k < patches.polygons(); ++k) {
+      area += patches.node(k).shape.area_m2;
+      for (std::size_t b = 0; b < mean.size(); ++b) {
+        mean[b] += patches.node(k).shape.area_m2 *
+                   patches.irradiance(k)[b * static_cast<std::size_t>(patches.terms())];
+      }
+    }
+  }
+  for (double& m : mean) m = area > 0.0 ? m / area : 0.0;
+  return mean;
+}
+
+}  // namespace
 
 struct PointGather::Impl {
   std::span<const ClusterState> clusters;
@@ -16,11 +36,15 @@ struct PointGather::Impl {
   PointGatherConfig config;
   BrightPolygons bright;
   std::size_t bands;
+  Spectrum mean_irradiance;
 
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                       const BrightPolygons::Counted& counted, Spectrum& e) const;
+  Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
+                    const BrightPolygons::Counted& counted, std::span<const double> weights,
+                    Spectrum& e) const;
   void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
                 std::span<const double> weights, const BrightPolygons::Counted& counted,
                 Random& random, Spectrum& e) const;
@@ -103,20 +127,49 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
   }
 }
 
-/// Everything else: cosine-weighted rays, one in each stratum of the disc below the hemisphere
-/// (Nusselt).
+/// Cosine-weighted rays, one in each stratum of the disc below the hemisphere (Nusselt). Returns
+/// the variance of what they bring, from the differences between neighbouring strata.
+Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                     Random& random, const BrightPolygons::Counted& counted,
+                                     std::span<const double> weights, Spectrum& e) const {
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
+  Spectrum variance(bands, 0.0), one(bands), before(bands);
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
+      std::fill(one.begin(), one.end(), 0.0);
+      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, counted, random,
+               one);
+      for (std::size_t b = 0; b < bands; ++b) {
+        e[b] += one[b];
+        if (j % 2 == 1) variance[b] += (one[b] - before[b]) * (one[b] - before[b]);
+      }
+      before = one;
+    }
+  }
+  return variance;
+}
+
+/// Everything else, by rays, and by more of them where there is much noise in what they bring.
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
                                        Random& random, const BrightPolygons::Counted& counted,
                                        Spectrum& e) const {
   const std::vector<double> weights = bright.weights_near(p);
-  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
-  for (int i = 0; i < side; ++i) {
-    for (int j = 0; j < side; ++j) {
-      const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
-      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, counted, random,
-               e);
+  Spectrum sum(bands, 0.0), variance(bands, 0.0);
+  bool noisy = true;
+  int rounds = 0;
+  while (noisy && rounds < 16) {
+    const Spectrum more = add_rays(p, n, own, random, counted, weights, sum);
+    ++rounds;
+    noisy = false;
+    for (std::size_t b = 0; b < bands; ++b) {
+      variance[b] += more[b];
+      const double light = e[b] + sum[b] / rounds;
+      noisy |= config.noise > 0.0 && std::sqrt(variance[b]) / rounds >
+                                         std::max(config.noise * light, 1e-4 * mean_irradiance[b]);
     }
   }
+  for (std::size_t b = 0; b < bands; ++b) e[b] += sum[b] / rounds;
 }
 
 /// The polygon that p lies on with the same facing, within the rays' blind distance; else none. Of
@@ -156,7 +209,8 @@ PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const
                          const Occluders& occluders, const PointGatherConfig& config)
     : impl_(std::make_unique<Impl>(
           Impl{clusters, lights, &occluders, config, BrightPolygons(clusters, occluders),
-               clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands())})) {}
+               clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
+               mean_irradiance(clusters)})) {}
 
 PointGather::~PointGather() = default;
 

@@ -12,6 +12,9 @@ namespace enfilade {
 
 struct PointGatherConfig {
   int rays = 4096;  ///< over the hemisphere
+  /// Where their noise (standard error) is above this share of a point's light and 1e-4 of the mean
+  /// irradiance, as many again, up to 16 times. 0 = never.
+  double noise = 0.005;
   std::uint64_t seed = 1;
   /// Relative error of what is read off the patches. The larger it is, the farther away a patch has
   /// to be for its own light to be taken.

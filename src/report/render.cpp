@@ -57,6 +57,7 @@ class Painter {
     if (config.gather_rays <= 0) return;
     PointGatherConfig gather;
     gather.rays = config.gather_rays;
+    gather.noise = 0.0;  // a picture is to take as many rays as asked
     gather.seed = config.seed;
     gather_ =
         std::make_unique<PointGather>(solved.states, solved.scene.lights, solved.occluders, gather);
