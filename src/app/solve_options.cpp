@@ -129,7 +129,8 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
   sub.add_option(
          "--iteration", o.iteration,
          "Light that a gather takes from its own rank's clusters: gauss-seidel, the newest; "
-         "jacobi, the last iteration's")
+         "jacobi, the last iteration's. With the coarse correction, while links are refined and in "
+         "scenes of fewer than 128 clusters, it is always the last iteration's")
       ->check(CLI::IsMember({"gauss-seidel", "jacobi"}))
       ->capture_default_str()
       ->group(group);

@@ -28,6 +28,7 @@ std::string nearest_word(const std::string& word, std::span<const std::string> k
   std::string nearest;
   std::size_t least = 3;
   for (const std::string& name : known) {
+    if (word.size() >= 3 && name.starts_with(word)) return name;
     if (const std::size_t d = edit_distance(word, name); d < least) {
       least = d;
       nearest = name;

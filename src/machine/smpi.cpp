@@ -49,18 +49,24 @@ double seconds_of(const s4u::Disk& disk, const char* key, double of_model) {
 /// A property that nobody reads may be another program's; one that is nearly ours was misspelt.
 template <class Described>
 void refuse_misspelt(const Described& described, const std::string& what,
-                     const std::vector<std::string>& ours) {
+                     const std::vector<std::string>& ours, const std::string& others_place,
+                     const std::vector<std::string>& others) {
   for (const auto& [key, value] : *described.get_properties()) {
     if (std::find(ours.begin(), ours.end(), key) != ours.end()) continue;
+    const std::string place = what + " " + described.get_name() + ": " + key;
+    if (std::find(others.begin(), others.end(), key) != others.end()) {
+      throw InputError("platform", place, "no such property here", "put it into " + others_place);
+    }
     const std::string meant = nearest_word(key, ours);
     if (meant.empty()) continue;
-    throw InputError("platform", what + " " + described.get_name() + ": " + key, "no such property",
-                     "did you mean '" + meant + "'?");
+    throw InputError("platform", place, "no such property", "did you mean '" + meant + "'?");
   }
 }
 
 void refuse_misspelt(const s4u::Host& host) {
-  refuse_misspelt(host, "host", {"memory", "serves"});
+  const std::vector<std::string> of_hosts{"memory", "serves"};
+  const std::vector<std::string> of_disks{"background", "request_s", "seek_s"};
+  refuse_misspelt(host, "host", of_hosts, "the host's <disk>", of_disks);
   const char* serves = host.get_property("serves");
   if (serves != nullptr && std::string(serves) != "common" && std::string(serves) != "alone") {
     throw InputError("platform", "host " + host.get_name() + ": serves",
@@ -68,7 +74,7 @@ void refuse_misspelt(const s4u::Host& host) {
                      "give it as platforms/README.md shows");
   }
   for (const s4u::Disk* disk : host.get_disks()) {
-    refuse_misspelt(*disk, "disk", {"background", "request_s", "seek_s"});
+    refuse_misspelt(*disk, "disk", of_disks, "the <host>", of_hosts);
   }
 }
 

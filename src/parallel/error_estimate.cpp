@@ -84,18 +84,28 @@ double change_ratio(std::span<const IterationSummary> history) {
                   0.9999);
 }
 
-/// The largest that the last three ratios of changes over the same links show, two by two, for they
-/// may alternate; 0 where there are fewer.
+/// The largest that the last three ratios of changes over the same links show, two by two where
+/// they follow each other, for they may alternate; 0 where there are fewer.
 double steady_ratio(std::span<const IterationSummary> history) {
-  std::vector<double> ratios;  // the last one first
-  for (std::size_t i = history.size(); i-- > 1 && ratios.size() < 3;) {
+  struct Step {
+    std::size_t at;
+    double ratio;
+  };
+  std::vector<Step> steps;  // the last one first
+  for (std::size_t i = history.size(); i-- > 1 && steps.size() < 3;) {
     if (history[i].sums.work.links_refined + history[i - 1].sums.work.links_refined > 0) break;
-    if (comparable(history[i], history[i - 1])) ratios.push_back(ratio(history[i], history[i - 1]));
+    if (comparable(history[i], history[i - 1]))
+      steps.push_back({i, ratio(history[i], history[i - 1])});
   }
-  if (ratios.size() < 3) return 0.0;
-  const double last = ratios[0] < 1.0 ? ratios[0] : 0.0;
-  return std::min(
-      std::max({last, std::sqrt(ratios[0] * ratios[1]), std::sqrt(ratios[1] * ratios[2])}), 0.9999);
+  if (steps.size() < 3) return 0.0;
+  const bool pair[2] = {steps[0].at == steps[1].at + 1, steps[1].at == steps[2].at + 1};
+  double most = steps[0].ratio < 1.0 || !pair[0] ? steps[0].ratio : 0.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (pair[k]) most = std::max(most, std::sqrt(steps[k].ratio * steps[k + 1].ratio));
+  }
+  if (!pair[0] && !pair[1]) most = std::max(most, steps[1].ratio);
+  if (!pair[1]) most = std::max(most, steps[2].ratio);
+  return std::min(most, 0.9999);
 }
 
 /// Relative L1 of the changes to come, where each is `passed_on` times the one before: gathers' and
@@ -144,7 +154,7 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over)) + links;
   if (const IterationSummary* sampled = last_sampled(history)) {
     // The rays of a gathered point bring noise of their own, which falls a little faster than by
-    // the square root as they are stratified.
+    // the square root as they are stratified; noisy points get more rays, and are better than this.
     const double fewer = sampled->plan.sample_rays / static_cast<double>(PointGatherConfig{}.rays);
     links = std::hypot(links, sample_noise(sampled->sums.residual) * std::pow(fewer, 0.6));
   }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST1";
+constexpr std::string_view mark = "ENFCOST2";
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const Token sums = to_token(cost.sums);

@@ -16,6 +16,14 @@ ReplayShared load(const std::string& recorded) {
   shared.prepared = load_prepared(recorded);
   shared.recording = read_recording(recorded, shared.prepared.clusters.size());
   shared.unknowns = coarse_unknowns(shared.prepared.clusters);
+  for (const auto& gathers : shared.recording.gathers) {
+    for (const GatherCost& cost : gathers) {
+      for (const std::uint32_t place : cost.coupled) {
+        if (place / shared.unknowns.count < shared.unknowns.zones[cost.cluster.index()]) continue;
+        throw InputError(recorded, "costs", "damaged", "solve it again, then replay it");
+      }
+    }
+  }
   shared.emitted = emitted_power(shared.prepared.scene, shared.prepared.clusters);
   shared.emitted_powers = emitted_powers(shared.prepared);
   return shared;

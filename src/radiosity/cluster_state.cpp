@@ -261,7 +261,8 @@ std::vector<std::byte> ClusterState::bytes_of(Section section) const {
 }
 
 std::size_t ClusterState::memory_bytes() const {
-  return sizeof(*this) + ClusterStateCodec::bytes(patches_) + ClusterStateCodec::bytes(links_);
+  return sizeof(*this) + ClusterStateCodec::bytes(patches_) + ClusterStateCodec::bytes(links_) +
+         zones_.memory_bytes();
 }
 
 }  // namespace enfilade

@@ -39,6 +39,17 @@ std::span<const double> CoarseUnknowns::of(ClusterId cluster, std::span<const do
   return numbers.subspan(begin, size);
 }
 
+bool CoarseUnknowns::complete(std::size_t clusters, std::size_t numbers) {
+  if (first.size() != clusters || zones.size() != clusters) return false;
+  count = 0;
+  for (std::size_t i = 0; i < clusters; ++i) {
+    const bool shares = i > 0 && zones[i] == 1 && first[i] + 1 == count;
+    if (zones[i] < 1 || !(shares || first[i] == count)) return false;
+    count = std::size_t{first[i]} + zones[i];
+  }
+  return count > 0 && numbers % count == 0;
+}
+
 CoarseUnknowns coarse_unknowns(std::span<const Cluster> clusters, std::size_t least,
                                std::size_t most) {
   if (clusters.size() > most) return shared_unknowns(clusters, most);
@@ -163,17 +174,13 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
       const std::size_t at = j * bands_ + band;
       return std::max(0.0, after_[at] - absorbed_[at] - escaping_[at]);
     };
-    double all_fresh = 0.0, all_stale = 0.0, now = 0.0, then = 0.0;
+    double all = 0.0, then = 0.0;  // zones' light is read stale alone (LightOrder)
     for (std::size_t j = begin; j < end; ++j) {
-      all_fresh += fresh[j];
-      all_stale += stale[j];
-      now += gives(j);
+      all += stale[j];
       then += gives(j) / columns[j].growth;
     }
-    for (std::size_t j = begin; j < end && now > 0.0; ++j) {
-      if (fresh[j] > 0.0) columns[j].fresh = gives(j) / now * all_fresh / fresh[j];
-      if (stale[j] > 0.0)
-        columns[j].stale = gives(j) / columns[j].growth / then * all_stale / stale[j];
+    for (std::size_t j = begin; j < end && then > 0.0; ++j) {
+      if (stale[j] > 0.0) columns[j].stale = gives(j) / columns[j].growth / then * all / stale[j];
     }
   }
   for (std::size_t j = 0; j < unknowns_; ++j) {

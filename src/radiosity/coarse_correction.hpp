@@ -47,6 +47,9 @@ struct CoarseUnknowns {
   std::size_t count = 0;
 
   bool zoned() const { return count > first.size(); }
+  /// Counts them; false where these are not `clusters` clusters' unknowns in order, or `numbers`
+  /// not as many for each.
+  bool complete(std::size_t clusters, std::size_t numbers);
   /// A cluster's part of what there is for each unknown and band.
   std::span<const double> of(ClusterId cluster, std::span<const double> numbers,
                              std::size_t bands) const;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "radiosity/coarse_zones.hpp"
 #include "radiosity/link.hpp"

@@ -139,6 +139,7 @@ std::vector<double> CoarseZones::reflected_power(const PatchForest& forest) cons
 void CoarseZones::add_share(PatchForest& forest, std::span<const double> shares) const {
   const auto bands = static_cast<std::size_t>(forest.bands());
   const auto terms = static_cast<std::size_t>(forest.terms());
+  ENFILADE_CHECK(shares.size() >= size() * bands, std::to_string(shares.size()));
   /// A polygon's leaves in one zone (or one larger leaf over several): their light in the mean, and
   /// what of an addition is spread evenly.
   struct Part {

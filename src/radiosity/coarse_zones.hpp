@@ -39,6 +39,9 @@ class CoarseZones {
   /// each leaf's own light.
   void add_share(PatchForest& forest, std::span<const double> shares) const;
 
+  std::size_t memory_bytes() const {
+    return zones_.capacity() * sizeof(Zone) + of_polygon_.capacity() * sizeof(Range);
+  }
   void write(ByteWriter& w) const;
   static CoarseZones read(ByteReader& r);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/random.hpp"
 #include "base/sampling.hpp"
@@ -10,7 +11,7 @@
 namespace enfilade {
 namespace {
 
-Spectrum mean_irradiance(std::span<const ClusterState> clusters) {
+Spectrum mean_over(std::span<const ClusterState> clusters) {
   Spectrum mean(clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()), 0.0);
   double area = 0.0;
   for (const ClusterState& cluster : clusters) {
@@ -134,6 +135,7 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
                                      std::span<const double> weights, Spectrum& e) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
+  const int pairs = side * side / 2;
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
@@ -142,10 +144,14 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
                one);
       for (std::size_t b = 0; b < bands; ++b) {
         e[b] += one[b];
-        if (j % 2 == 1) variance[b] += (one[b] - before[b]) * (one[b] - before[b]);
+        if ((i * side + j) % 2 == 1) variance[b] += (one[b] - before[b]) * (one[b] - before[b]);
       }
       before = one;
     }
+  }
+  // A ray left over is taken for as noisy as the others; a single one for as noisy as can be.
+  for (double& v : variance) {
+    v = pairs > 0 ? v * side * side / (2.0 * pairs) : std::numeric_limits<double>::infinity();
   }
   return variance;
 }
@@ -210,7 +216,7 @@ PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const
     : impl_(std::make_unique<Impl>(
           Impl{clusters, lights, &occluders, config, BrightPolygons(clusters, occluders),
                clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
-               mean_irradiance(clusters)})) {}
+               mean_over(clusters)})) {}
 
 PointGather::~PointGather() = default;
 

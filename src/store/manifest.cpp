@@ -51,8 +51,7 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.correction = json.at("correction").get<std::vector<double>>();
     m.unknowns.first = json.at("first_unknown").get<std::vector<std::uint32_t>>();
     m.unknowns.zones = json.at("zones").get<std::vector<std::uint32_t>>();
-    if (!m.correction.empty() &&
-        (m.unknowns.first.size() != m.clusters || m.unknowns.zones.size() != m.clusters)) {
+    if (!m.correction.empty() && !m.unknowns.complete(m.clusters, m.correction.size())) {
       throw RunError(path + ": damaged; solve again without --resume");
     }
     return m;

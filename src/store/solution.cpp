@@ -29,6 +29,11 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
     ClusterState& state = states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
     const auto bands = static_cast<std::size_t>(state.bands());
     if (!manifest->correction.empty()) {
+      if (manifest->correction.size() != manifest->unknowns.count * bands ||
+          state.zones().size() > manifest->unknowns.zones[i]) {
+        throw RunError(run_directory +
+                       ": the correction there is of other clusters; solve again without --resume");
+      }
       state.correct(manifest->unknowns.of(id, manifest->correction, bands));
     }
   }

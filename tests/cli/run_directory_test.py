@@ -270,6 +270,7 @@ class SimulatedInputs(InScratch):
         text = (ROOT / "platforms/office.xml").read_text()
         for right, wrong, told in (('id="seek_s"', 'id="seeks"', "did you mean 'seek_s'?"),
                                    ('id="serves"', 'id="server"', "did you mean 'serves'?"),
+                                   ('id="serves"', 'id="seek_s"', "put it into the host's <disk>"),
                                    ('value="common"', 'value="comon"', "neither common nor alone")):
             self.assertIn(right, text)
             platform.write_text(text.replace(right, wrong))

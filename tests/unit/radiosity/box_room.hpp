@@ -72,9 +72,10 @@ struct Solved {
   std::size_t links = 0;
   WorkCount work;
 
-  Solved(Scene s, Basis basis, double epsilon, bool coarse = true, int most = 500)
+  Solved(Scene s, Basis basis, double epsilon, bool coarse = true, int most = 500,
+         bool zones = true)
       : scene(std::move(s)), clusters(clusters_of(scene)), occluders(clusters) {
-    const CoarseUnknowns unknowns = coarse_unknowns(clusters);
+    const CoarseUnknowns unknowns = coarse_unknowns(clusters, zones ? 128 : 1);
     for (const Cluster& c : clusters) {
       states.emplace_back(c, scene, basis, unknowns.zones[c.id.index()]);
     }
@@ -91,11 +92,13 @@ struct Solved {
       CoarseSystem system(unknowns.count, bands);
       double change = 0.0, received = 0.0, absorbed = 0.0;
       links = 0;
-      const std::vector<ClusterState> committed = states;
+      std::vector<ClusterState> committed;
+      if (unknowns.zoned()) committed = states;
+      const std::vector<ClusterState>& light = unknowns.zoned() ? committed : states;
       for (ClusterState& receiver : states) {
         const GatherResult r = gather(
             receiver, all,
-            [&committed](ClusterId id) -> const ClusterState& { return committed[id.index()]; },
+            [&light](ClusterId id) -> const ClusterState& { return light[id.index()]; },
             scene.lights, occluders, config);
         change += r.change_power;
         received += r.received_power;

@@ -35,6 +35,27 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   EXPECT_NEAR(system.escaping(x).front(), 0.5 * x[0] + 0.25 * x[1], 1e-12);
 }
 
+TEST(CoarseSystem, TakesLightThatWasReadFreshAsItIs) {
+  // As above, but the second cluster has read the first one's new light.
+  const double rho1 = 0.9, rho2 = 0.8, both = rho1 * rho2;
+  CoarseSystem system(2, 1);
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+  CoarseRow first, second;
+  first.absorbed = first.escaping = second.absorbed = second.escaping = {0.0};
+  first.before = {3.0};
+  first.after = {3.0 * (1.0 + both)};
+  second.before = {3.0 * rho1};
+  second.after = {3.0 * rho1 * (1.0 + both)};
+  first.entries = {{ClusterId(1u), true, {3.0 * both}}};
+  second.entries = {{ClusterId(0u), false, {3.0 * rho1 * (1.0 + both)}}};
+  system.add(ClusterId(0u), first, unknowns);
+  system.add(ClusterId(1u), second, unknowns);
+  const std::vector<double> x = system.solve(unknowns);
+  const double e1 = 1.0 / (1.0 - both);
+  EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
+  EXPECT_NEAR(rho1 * (1.0 + both) * (1.0 + x[1]), rho1 * e1, 1e-5);
+}
+
 TEST(CoarseSystem, LightThatNobodyGivesDies) {
   // A sealed pair with light left over, which fades by a tenth a sweep: nothing comes in.
   CoarseSystem system(2, 1);
@@ -50,9 +71,10 @@ TEST(CoarseSystem, LightThatNobodyGivesDies) {
 }
 
 TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
-  for (const double rho : {0.5, 0.9, 0.99, 0.999}) {
+  for (const auto& [rho, zones] : std::vector<std::pair<double, bool>>{
+           {0.5, true}, {0.9, true}, {0.99, true}, {0.999, true}, {0.9, false}, {0.999, false}}) {
     const testing::Solved with(testing::box_room({0, 0, 0}, {4, 4, 4}, {rho}, {1.0}), Basis::linear,
-                               1e-3);
+                               1e-3, true, 500, zones);
     EXPECT_LE(with.iterations, 12) << rho;
     EXPECT_NEAR(with.states[0].patches().irradiance(0)[0] * (1.0 - rho), 1.0, 1e-4) << rho;
   }
@@ -76,56 +98,20 @@ TEST(CoarseUnknowns, AreZonesWhereClustersAreFewAndSharedWhereTheyAreMany) {
   const std::vector<double> numbers(22, 1.0);
   EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).data(), numbers.data() + 14);
   EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).size(), 6u);
+  CoarseUnknowns read = few;
+  read.count = 0;
+  EXPECT_TRUE(read.complete(3, 22));
+  EXPECT_EQ(read.count, 11u);
+  EXPECT_FALSE(read.complete(3, 23));
+  EXPECT_FALSE(read.complete(2, 22));
+  read.first[1] = 8;
+  EXPECT_FALSE(read.complete(3, 24));
   clusters[1].cell = clusters[2].cell = CellId(1u);
   const CoarseUnknowns many = coarse_unknowns(clusters, 1, 2);
   EXPECT_EQ(many.first, (std::vector<std::uint32_t>{0, 1, 1}));
   EXPECT_EQ(many.count, 2u);
-}
-
-TEST(CoarseZones, CutTheHierarchyInOrder) {
-  // A cube of one cluster: the group's halves, then its polygons, then their halves.
-  const Scene scene = testing::box_room({0, 0, 0}, {2, 2, 2}, {0.5}, {1.0});
-  Cluster all;
-  for (const Cluster& c : testing::clusters_of(scene)) {
-    all.polygons.insert(all.polygons.end(), c.polygons.begin(), c.polygons.end());
-    all.area_m2 += c.area_m2;
-  }
-  for (const std::size_t most : {1u, 2u, 6u, 12u}) {
-    ClusterState state(all, scene, Basis::constant, most);
-    const CoarseZones& zones = state.zones();
-    PatchForest& f = state.patches();
-    EXPECT_EQ(zones.size(), most);
-    EXPECT_EQ(zones.of(f, f.root()).size(), most);
-    std::uint32_t next = 0;
-    for (std::uint32_t i = 0; i < f.polygons(); ++i) {  // neighbours in the order share or follow
-      const CoarseZones::Range range = zones.of(f, {f.order()[i], 1});
-      EXPECT_TRUE(range.begin == next || range.begin + 1 == next);
-      next = range.end;
-    }
-    EXPECT_EQ(next, most);
-    // What lies in a zone is that zone's; what several share, by area.
-    const CoarseZones::Range whole = zones.of(f, {0, 1});
-    EXPECT_EQ(whole.size(), most == 12 ? 2u : 1u);
-    EXPECT_EQ(zones.of(f, {0, 0b1011}).size(), 1u);
-    const std::vector<double> power{6.0};
-    std::vector<double> sums(most, 0.0);
-    zones.add(f, {0, 1}, power, sums);
-    EXPECT_NEAR(sums[whole.begin], most == 12 ? 3.0 : 6.0, 1e-12);
-    // A correction of each zone's own share leaves the rest as it was.
-    f.subdivide(0);
-    std::vector<double> gathered(f.size(), 0.0);
-    std::fill_n(gathered.begin(), f.polygons(), 1.0);
-    f.push_pull(gathered);
-    std::vector<double> shares(most, 0.0);
-    shares[whole.begin] = 1.0;
-    state.correct(shares);
-    EXPECT_NEAR(f.irradiance(0)[0], most == 12 ? 1.5 : 2.0, 1e-12);
-    EXPECT_NEAR(f.irradiance(f.order()[5])[0],
-                most == 1           ? 2.0
-                : f.order()[5] == 0 ? 1.5
-                                    : 1.0,
-                1e-12);
-  }
+  read = many;
+  EXPECT_TRUE(read.complete(3, 2));
 }
 
 }  // namespace

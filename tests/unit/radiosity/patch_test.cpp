@@ -119,26 +119,6 @@ TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
   }
 }
 
-TEST(CoarseZones, AnAddedShareKeepsTheDarkDark) {
-  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.5}, {0.0, 0.0});
-  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
-  PatchForest& f = state.patches();
-  const std::size_t child = f.subdivide(0);
-  std::vector<double> gathered(f.size() * 2, 0.0);
-  gathered[child * 2] = 6.0;  // band 0: one half lit, the other dark
-  gathered[child * 2 + 1] = 6.0;
-  gathered[(child + 1) * 2 + 1] = 4.0;  // band 1: nearly even, 5 in the mean
-  f.push_pull(gathered);
-  state.correct(std::vector<double>{1.0, 1.0});
-  EXPECT_EQ(f.irradiance(child + 1)[0], 0.0);
-  EXPECT_NEAR(f.irradiance(child)[0], 12.0, 1e-12);
-  EXPECT_NEAR(f.irradiance(0)[0], 6.0, 1e-12);
-  // Four fifths of the 5 all over, and a fifth of what is there.
-  EXPECT_NEAR(f.irradiance(child)[1], 6.0 + 4.0 + 1.2, 1e-12);
-  EXPECT_NEAR(f.irradiance(child + 1)[1], 4.0 + 4.0 + 0.8, 1e-12);
-  EXPECT_NEAR(f.radiosity(0)[1], 5.0, 1e-12);
-}
-
 TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
   ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "box_room.hpp"
@@ -67,6 +68,32 @@ TEST(PointGather, AGapBelowASlabIsDarkHoweverCoarseThePatches) {
   ASSERT_GT(gather.from_patches({2, 2, 0}, {0, 0, 1})[0], 0.1 * lit)
       << "the patches know no better";
   EXPECT_LT(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 1e-3 * lit);
+}
+
+TEST(PointGather, NoisyPointsGetMoreRaysAndQuietOnesNone) {
+  // Below a table the light comes round its edges, over several reflections.
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.5}, {0.0});
+  scene.surfaces.back().exitance = {10.0};
+  testing::add_block(scene, {1, 1, 0.3}, {3, 3, 0.4}, {0.5}, {0.0});
+  const testing::Solved solved(scene, Basis::linear, 1e-1);
+  const auto spread = [&](const Vec3& p, double noise) {
+    double sum = 0.0, square = 0.0;
+    constexpr int seeds = 16;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const PointGather gather(solved.states, scene.lights, solved.occluders,
+                               {.rays = 256, .noise = noise, .seed = seed});
+      const double e = gather.irradiance(p, {0, 0, 1})[0];
+      sum += e;
+      square += e * e;
+    }
+    const double mean = sum / seeds;
+    return std::sqrt(square / seeds - mean * mean) / mean;
+  };
+  const Vec3 below(2, 2, 0);
+  const double once = spread(below, 0.0), often = spread(below, 1e-6), enough = spread(below, 10.0);
+  EXPECT_GT(once, 0.01);
+  EXPECT_LT(often, 0.5 * once);  // 16 times the rays: a quarter or less
+  EXPECT_DOUBLE_EQ(enough, once);
 }
 
 }  // namespace
