@@ -26,6 +26,10 @@ struct LightOrder {
   bool coarse_correction = true;
   bool jacobi = false;
 
+  /// Zones serve the coarse correction alone.
+  CoarseUnknowns unknowns(std::span<const Cluster> clusters) const {
+    return coarse_correction ? coarse_unknowns(clusters) : coarse_unknowns(clusters, 1);
+  }
   /// The light as committed, rather than a rank's newest as in the paper. What is refined must not
   /// depend on the ranks' number and speeds; light then spreads as with Jacobi, which the coarse
   /// correction makes up for. And where that has several unknowns a cluster, all must have been

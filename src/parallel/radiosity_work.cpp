@@ -32,7 +32,7 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, 
       config_(config),
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
-      unknowns_(coarse_unknowns(prepared.clusters)),
+      unknowns_(config.light.unknowns(prepared.clusters)),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
       coarse_(unknowns_.count, bands_) {
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;

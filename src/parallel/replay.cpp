@@ -15,7 +15,7 @@ ReplayShared load(const std::string& recorded) {
   ReplayShared shared;
   shared.prepared = load_prepared(recorded);
   shared.recording = read_recording(recorded, shared.prepared.clusters.size());
-  shared.unknowns = coarse_unknowns(shared.prepared.clusters);
+  shared.unknowns = shared.recording.light.unknowns(shared.prepared.clusters);
   for (const auto& gathers : shared.recording.gathers) {
     for (const GatherCost& cost : gathers) {
       for (const std::uint32_t place : cost.coupled) {
