@@ -3,21 +3,33 @@
 #include <algorithm>
 
 namespace enfilade {
+namespace {
+
+/// Calls take(polygon, area seen from there in m2) for the polygons of a group that turn towards a
+/// beam and are not sealed.
+template <class Take>
+void for_each_facing(const PatchForest& receiver, const Link& link,
+                     std::span<const float> transport, Take take) {
+  const GroupNode& group = receiver.groups()[link.receiver.group()];
+  const Vec3 toward(transport[1], transport[2], transport[3]);
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const std::uint32_t k = receiver.order()[i];
+    const double cosine = glm::dot(receiver.frames()[k].n, toward);
+    if (cosine > 0.0 && !receiver.sealed(k)) take(k, receiver.node(k).shape.area_m2 * cosine);
+  }
+}
+
+}  // namespace
 
 double area_factor(const PatchForest& receiver, const Link& link,
                    std::span<const float> transport) {
   if (!link.receiver.is_group()) {
     return receiver.node(receiver.find(link.receiver)).shape.area_m2 * transport[0];
   }
-  const GroupNode& group = receiver.groups()[link.receiver.group()];
-  const Vec3 toward(transport[1], transport[2], transport[3]);
   double sum = 0.0;
-  for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const std::uint32_t k = receiver.order()[i];
-    if (receiver.sealed(k)) continue;
-    const double cosine = std::max(0.0, glm::dot(receiver.frames()[k].n, toward));
-    sum += receiver.node(k).shape.area_m2 * cosine * transport[0];
-  }
+  for_each_facing(receiver, link, transport, [&](std::uint32_t, double area_m2) {
+    sum += area_m2 * static_cast<double>(transport[0]);
+  });
   return sum;
 }
 
@@ -52,17 +64,11 @@ void ZoneFlow::share_received(const Link& link, std::span<const float> transport
   } else if (!link.receiver.is_group()) {
     receiving_.add(receiver_, link.receiver, std::span(&whole, 1), received_);
   } else {
-    const GroupNode& group = receiver_.groups()[link.receiver.group()];
-    const Vec3 toward(transport[1], transport[2], transport[3]);
     double sum = 0.0;
-    for (std::uint32_t i = group.begin; i < group.end; ++i) {
-      const std::uint32_t k = receiver_.order()[i];
-      if (receiver_.sealed(k)) continue;
-      const double facing = receiver_.node(k).shape.area_m2 *
-                            std::max(0.0, glm::dot(receiver_.frames()[k].n, toward));
-      receiving_.add(receiver_, {k, 1}, std::span(&facing, 1), received_);
-      sum += facing;
-    }
+    for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double area_m2) {
+      receiving_.add(receiver_, {k, 1}, std::span(&area_m2, 1), received_);
+      sum += area_m2;
+    });
     for (double& share : received_) share = sum > 0.0 ? share / sum : 0.0;
   }
 }
