@@ -17,6 +17,9 @@ namespace enfilade {
 
 class ByteWriter {
  public:
+  ByteWriter() = default;
+  explicit ByteWriter(std::size_t expected_bytes) { bytes_.reserve(expected_bytes); }
+
   template <class T>
   void put(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);

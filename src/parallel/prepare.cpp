@@ -33,8 +33,8 @@ std::string options_of(const PrepareConfig& config) {
   const auto& [min_contact_relative, most_contacts] = contacts;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
   const auto& [first_rays, rays, max_pair_parts, max_depth, min_pair_parts, all_pair_parts,
-               window_rays, window_parts, window_planes, max_planes, most_open, max_pieces,
-               pair_seed] = occlusion;
+               window_rays, window_parts, window_planes, window_path, max_planes, most_open,
+               max_pieces, pair_seed] = occlusion;
   const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
@@ -61,6 +61,7 @@ std::string options_of(const PrepareConfig& config) {
                                        {"occlusion_window_rays", window_rays},
                                        {"occlusion_window_parts", window_parts},
                                        {"occlusion_window_planes", window_planes},
+                                       {"occlusion_window_path", window_path},
                                        {"occlusion_max_planes", max_planes},
                                        {"occlusion_most_open", most_open},
                                        {"occlusion_max_pieces", max_pieces},

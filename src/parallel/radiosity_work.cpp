@@ -100,7 +100,11 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
       },
       prepared_.scene.lights, occluders_, gather_config_);
   spend(machine_, result.work);
-  coarse_.add(receiver, result.coarse, unknowns_);
+  std::vector<std::uint32_t> places;
+  if (config_.light.coarse_correction) {
+    coarse_.add(receiver, result.coarse, unknowns_);
+    places = coupled(receiver, result.coarse, unknowns_);
+  }
   const WrittenReceiver written = resident_.write_receiver(receiver);
 
   IterationSums sums;
@@ -120,8 +124,7 @@ IterationSums RadiosityWork::gather(ClusterId receiver) {
   sums.patches = state.patches().size();
   sums.links = state.links().size();
   resident_.unpin();
-  recorder_.add({receiver, sums, written.patches, written.links,
-                 coupled(receiver, result.coarse, unknowns_)});
+  recorder_.add({receiver, sums, written.patches, written.links, std::move(places)});
   return sums;
 }
 

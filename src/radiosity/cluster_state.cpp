@@ -81,6 +81,7 @@ class ClusterStateCodec {
     for (std::size_t k = 0; k < f.frames_.size(); ++k) f.nodes_.push_back(read_node(r));
     f.groups_ = r.get_all<GroupNode>();
     f.order_ = r.get_all<std::uint32_t>();
+    f.sum_exitances();
     return f;
   }
 
@@ -105,7 +106,9 @@ class ClusterStateCodec {
     f.deviation_.resize(f.nodes_.size());
     f.exposure_.resize(f.nodes_.size());
     f.sealed_.resize(f.frames_.size());
-    for (const std::uint32_t parent : r.get_all<std::uint32_t>()) {
+    const std::vector<std::uint32_t> splits = r.get_all<std::uint32_t>();
+    f.reserve(f.frames_.size() + 2 * splits.size());
+    for (const std::uint32_t parent : splits) {
       if (parent >= f.nodes_.size())
         throw RunError("a cluster's record names a patch it does not have");
       f.subdivide(parent);
@@ -151,10 +154,29 @@ class ClusterStateCodec {
            f.frames_.size() *
                (sizeof(PolygonFrame) + 2 * sizeof(double) * static_cast<std::size_t>(f.bands_)) +
            f.groups_.size() *
-               (sizeof(GroupNode) + sizeof(double) * static_cast<std::size_t>(f.bands_ + 1));
+               (sizeof(GroupNode) + sizeof(double) * static_cast<std::size_t>(2 * f.bands_ + 1));
   }
   static std::size_t bytes(const LinkSet& l) {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);
+  }
+
+  /// About.
+  static std::size_t written_bytes(const ClusterState& state, Section section) {
+    const PatchForest& f = state.patches();
+    const LinkSet& l = state.links();
+    switch (section) {
+      case Section::geometry:
+        return 256 +
+               f.frames_.size() * (sizeof(PolygonFrame) + 16 * static_cast<std::size_t>(f.bands_)) +
+               f.groups_.size() * sizeof(GroupNode);
+      case Section::patches:
+        return 256 + f.frames_.size() +
+               f.nodes_.size() *
+                   (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1));
+      case Section::links:
+        return 64 + l.links_.size() * sizeof(Link) + l.transport_.size() * sizeof(float);
+    }
+    return 0;
   }
 
   static void shrink(PatchForest& f) {
@@ -240,7 +262,7 @@ ClusterState ClusterState::shooter() const {
 void ClusterState::correct(std::span<const double> changes) { zones_.add_share(patches_, changes); }
 
 std::vector<std::byte> ClusterState::bytes_of(Section section) const {
-  ByteWriter w;
+  ByteWriter w(ClusterStateCodec::written_bytes(*this, section));
   switch (section) {
     case Section::geometry:
       w.put(id_);

@@ -33,17 +33,6 @@ double area_factor(const PatchForest& receiver, const Link& link,
   return sum;
 }
 
-double mean_exitance(const PatchForest& shooter, PatchId node, std::size_t band) {
-  if (!node.is_group()) return shooter.frames()[node.root].exitance[band];
-  const GroupNode& group = shooter.groups()[node.group()];
-  double sum = 0.0;
-  for (std::uint32_t i = group.begin; i < group.end; ++i) {
-    const std::uint32_t k = shooter.order()[i];
-    sum += shooter.node(k).shape.area_m2 / group.area_m2 * shooter.frames()[k].exitance[band];
-  }
-  return sum;
-}
-
 ZoneFlow::ZoneFlow(const PatchForest& receiver, const CoarseZones& receiving,
                    const PatchForest& shooter, const CoarseZones& shooting)
     : receiver_(receiver),
@@ -89,6 +78,10 @@ void ZoneFlow::share_sent(PatchId node) {
 
 void ZoneFlow::add(const Link& link, std::span<const float> transport,
                    std::span<const double> power) {
+  if (flow_.size() == bands_) {  // one zone on either side
+    for (std::size_t b = 0; b < bands_; ++b) flow_[b] += power[b];
+    return;
+  }
   share_received(link, transport);
   share_sent(link.shooter);
   for (std::size_t to = 0; to < received_.size(); ++to) {

@@ -14,9 +14,6 @@ namespace enfilade {
 /// power.
 double area_factor(const PatchForest& receiver, const Link& link, std::span<const float> transport);
 
-/// Mean exitance of a shooting node in a band: what it gives of its own, not by reflection.
-double mean_exitance(const PatchForest& shooter, PatchId node, std::size_t band);
-
 /// What flows by reflection from one shooting cluster's zones to the receiving one's.
 class ZoneFlow {
  public:

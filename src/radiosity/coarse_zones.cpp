@@ -130,7 +130,7 @@ std::vector<double> CoarseZones::reflected_power(const PatchForest& forest) cons
           id.is_group()
               ? forest.group_radiosity(id.group())[b]
               : forest.radiosity(forest.find(id))[b * static_cast<std::size_t>(forest.terms())];
-      power[z * bands + b] = area * std::max(0.0, mean - mean_exitance(forest, id, b));
+      power[z * bands + b] = area * std::max(0.0, mean - forest.exitance(id, b));
     }
   }
   return power;

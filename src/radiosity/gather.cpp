@@ -63,7 +63,7 @@ class Gatherer {
   RowClosing closing_;
   ResidualSamples samples_;
   std::size_t next_ = 0;  ///< link that has not had its turn; they lie in the shooters' order
-  LinkSet kept_;          ///< links after refinement
+  LinkSet kept_;          ///< links after refinement, once one of them has changed
   bool changed_ = false;
   std::vector<double> gathered_;       ///< irradiance at every node, indexed like the light
   std::vector<double> light_, means_;  ///< of the link at hand: as the basis has it; per band
@@ -99,22 +99,27 @@ void Gatherer::from(const ClusterState& shooter) {
 void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool stale) {
   const PatchForest* shooter = state == nullptr ? nullptr : &state->patches();
   const LinkSet& links = receiver_.links();
-  const std::size_t begin = next_, kept_begin = kept_.size();
+  const std::size_t begin = next_, kept_begin = changed_ ? kept_.size() : begin;
   while (next_ < links.size() && links[next_].shooter_cluster == cluster) ++next_;
   if (config_.refine) {
     for (std::size_t i = begin; i < next_; ++i) {
-      changed_ |= refinement_.refine(links[i], links.transport(i), shooter, kept_);
+      if (refinement_.fine_as_it_is(links[i], links.transport(i), shooter)) {
+        if (changed_) kept_.add(links[i], links.transport(i));
+        continue;
+      }
+      if (!changed_) kept_.take_first(links, i);
+      changed_ = true;
+      refinement_.refine(links[i], shooter, kept_);
     }
   }
-  const LinkSet& now = config_.refine ? kept_ : links;
-  const std::size_t first = config_.refine ? kept_begin : begin;
-  const std::size_t end = config_.refine ? kept_.size() : next_;
+  const LinkSet& now = changed_ ? kept_ : links;
+  const std::size_t end = changed_ ? kept_.size() : next_;
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
   std::optional<ZoneFlow> flow;
   if (shooter != nullptr)
     flow.emplace(receiver_.patches(), receiver_.zones(), *shooter, state->zones());
   bool any = false;
-  for (std::size_t i = first; i < end; ++i) {
+  for (std::size_t i = kept_begin; i < end; ++i) {
     if (!now[i].evaluated) continue;
     receive(now[i], now.transport(i), shooter, flow ? &*flow : nullptr);
     any = true;
@@ -164,7 +169,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     for (std::size_t b = 0; b < bands_; ++b) result_.beamed_power[b] += factor * means_[b];
   } else {
     for (std::size_t b = 0; b < bands_; ++b) {
-      flow_[b] = factor * (means_[b] - mean_exitance(*shooter, link.shooter, b));
+      flow_[b] = factor * (means_[b] - shooter->exitance(link.shooter, b));
     }
     flow->add(link, transport, flow_);
   }

@@ -10,9 +10,11 @@ void LinkSet::add(const Link& link, std::span<const float> transport) {
   transport_.insert(transport_.end(), transport.begin(), transport.end());
 }
 
-void LinkSet::clear() {
-  links_.clear();
-  transport_.clear();
+void LinkSet::take_first(const LinkSet& other, std::size_t n) {
+  ENFILADE_CHECK(n <= other.size() && stride_ == other.stride_, std::to_string(n));
+  links_.assign(other.links_.begin(), other.links_.begin() + static_cast<std::ptrdiff_t>(n));
+  transport_.assign(other.transport_.begin(),
+                    other.transport_.begin() + static_cast<std::ptrdiff_t>(n * stride_));
 }
 
 }  // namespace enfilade

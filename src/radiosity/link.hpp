@@ -42,7 +42,8 @@ class LinkSet {
   }
   std::span<float> transport(std::size_t i) { return {transport_.data() + i * stride_, stride_}; }
   void add(const Link& link, std::span<const float> transport);
-  void clear();
+  /// The first n links of another set, and no others.
+  void take_first(const LinkSet& other, std::size_t n);
 
  private:
   friend class ClusterStateCodec;

@@ -14,9 +14,18 @@
 
 namespace enfilade {
 
+/// What a node sends.
+struct NodeLight {
+  double light = 0.0;      ///< mean radiosity, worst band (a light's intensity)
+  double variation = 0.0;  ///< RMS variation around the mean, worst band
+
+  static NodeLight of(const PatchForest& forest, PatchId id);
+  static NodeLight of(const PointLight& light);
+};
+
 /// A node of a hierarchy as one side of a link. A patch that its owner has not made is cut out of
 /// its ancestor here, with the ancestor's light.
-struct LinkSide {
+struct LinkSide : NodeLight {
   const PatchForest* forest = nullptr;  ///< null: a point light
   ClusterId cluster;
   PatchId id;
@@ -25,8 +34,6 @@ struct LinkSide {
   Vec3 center{0.0};
   double radius = 0.0;  ///< of a ball around the centre that holds it
   double area_m2 = 0.0;
-  double light = 0.0;      ///< mean radiosity, worst band (a light's intensity)
-  double variation = 0.0;  ///< RMS variation around the mean, worst band
 
   bool is_light() const { return forest == nullptr; }
   bool is_group() const { return forest != nullptr && id.is_group(); }

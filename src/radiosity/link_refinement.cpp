@@ -28,24 +28,19 @@ bool LinkRefinement::fine_as_it_is(const Link& link, std::span<const float> tran
                                    const PatchForest* shooter) const {
   if (!link.evaluated && link.is_light()) return false;
   if (link.evaluated && link.finest) return true;
-  const LinkSide side = shooter_side(link, shooter);
+  const NodeLight side = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
+                                            : NodeLight::of(*shooter, link.shooter);
   if (!link.evaluated) return side.light <= 0.0 && side.variation <= 0.0;
   return oracle_->doubt(link, transport, receiver_.patches(), side) <= config_.link_tolerance;
 }
 
-bool LinkRefinement::refine(const Link& link, std::span<const float> transport,
-                            const PatchForest* shooter, LinkSet& kept) {
-  if (fine_as_it_is(link, transport, shooter)) {
-    kept.add(link, transport);
-    return false;
-  }
+void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSet& kept) {
   pending_.push_back({link, nullptr});
   while (!pending_.empty()) {
     const Pending next = std::move(pending_.back());
     pending_.pop_back();
     evaluate(next.link, next.among, shooter, kept);
   }
-  return true;
 }
 
 void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,

@@ -25,15 +25,15 @@ class LinkRefinement {
   LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
-  /// Appends to `kept` the link, or what it must be replaced by at today's light. `shooter`: the
-  /// patches of link.shooter_cluster; null for a point light. Returns whether it was replaced.
-  bool refine(const Link& link, std::span<const float> transport, const PatchForest* shooter,
-              LinkSet& kept);
+  /// Need nothing be done about the link at today's light? `shooter`: the patches of
+  /// link.shooter_cluster; null for a point light.
+  bool fine_as_it_is(const Link& link, std::span<const float> transport,
+                     const PatchForest* shooter) const;
+  /// Appends to `kept` what a link that is not must be replaced by.
+  void refine(const Link& link, const PatchForest* shooter, LinkSet& kept);
 
  private:
   LinkSide shooter_side(const Link& link, const PatchForest* shooter) const;
-  bool fine_as_it_is(const Link& link, std::span<const float> transport,
-                     const PatchForest* shooter) const;
   void evaluate(Link link, const LinkEstimator::Between& among, const PatchForest* shooter,
                 LinkSet& kept);
   bool can_split(const LinkSide& side) const;

@@ -6,27 +6,48 @@
 namespace enfilade {
 namespace {
 
-/// The largest mean over the bands, and the largest RMS variation over a patch (gradient and
-/// children).
-void fill_light(LinkSide& side, std::size_t node, const Vec2& node_centroid) {
-  const PatchForest& forest = *side.forest;
+/// The largest mean over the bands, and the largest RMS variation (gradient and children) over a
+/// part of a node.
+NodeLight light_within(const PatchForest& forest, std::size_t node, const PatchShape& s) {
+  NodeLight side;
   const std::span<const double> b = forest.radiosity(node);
-  const PatchShape& s = side.shape;
+  const Vec2 shift = s.centroid - forest.node(node).shape.centroid;
   const auto terms = static_cast<std::size_t>(forest.terms());
   for (std::size_t at = 0; at < b.size(); at += terms) {
     double mean = b[at], variation = 0.0;
     if (terms == 3) {
       const Vec2 g(b[at + 1], b[at + 2]);
-      mean += glm::dot(g, s.centroid - node_centroid);
+      mean += glm::dot(g, shift);
       variation = s.cxx * g.x * g.x + 2.0 * s.cxy * g.x * g.y + s.cyy * g.y * g.y;
     }
     side.light = std::max(side.light, std::abs(mean));
     side.variation = std::max(side.variation, std::sqrt(std::max(0.0, variation)));
   }
   side.variation = std::hypot(side.variation, forest.deviation(node));
+  return side;
+}
+
+NodeLight light_of_group(const PatchForest& forest, std::size_t group) {
+  NodeLight side;
+  for (const double b : forest.group_radiosity(group)) side.light = std::max(side.light, b);
+  side.variation = forest.group_spread(group);
+  return side;
 }
 
 }  // namespace
+
+NodeLight NodeLight::of(const PatchForest& forest, PatchId id) {
+  if (id.is_group()) return light_of_group(forest, id.group());
+  const std::size_t node = forest.find(id);
+  if (forest.node(node).id == id) return light_within(forest, node, forest.node(node).shape);
+  return LinkSide::of(forest, {}, id);
+}
+
+NodeLight NodeLight::of(const PointLight& light) {
+  NodeLight side;
+  for (const double i : light.intensity) side.light = std::max(side.light, i);
+  return side;
+}
 
 LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) {
   LinkSide side;
@@ -38,13 +59,11 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
     side.center = group.bounds.center();
     side.radius = 0.5 * group.bounds.diagonal();
     side.area_m2 = group.area_m2;
-    for (const double b : forest.group_radiosity(id.group())) side.light = std::max(side.light, b);
-    side.variation = forest.group_spread(id.group());
+    static_cast<NodeLight&>(side) = light_of_group(forest, id.group());
     return side;
   }
   const std::size_t node = forest.find(id);
   side.shape = forest.node(node).shape;
-  const Vec2 made_centroid = side.shape.centroid;
   int missing = 0;
   for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
   while (missing-- > 0) {
@@ -59,7 +78,7 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
     side.radius = std::max(side.radius, glm::length(side.corners.back() - side.center));
   }
   side.area_m2 = side.shape.area_m2;
-  fill_light(side, node, made_centroid);
+  static_cast<NodeLight&>(side) = light_within(forest, node, side.shape);
   return side;
 }
 
@@ -77,7 +96,7 @@ LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
   side.id.root = number;
   side.corners = {light.p};
   side.center = light.p;
-  for (const double i : light.intensity) side.light = std::max(side.light, i);
+  static_cast<NodeLight&>(side) = NodeLight::of(light);
   return side;
 }
 

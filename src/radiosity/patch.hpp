@@ -145,6 +145,11 @@ class PatchForest {
             static_cast<std::size_t>(bands_)};
   }
   double group_spread(std::size_t group) const { return group_spread_[group]; }
+  /// Mean exitance of a node: what it gives of its own, not by reflection.
+  double exitance(PatchId node, std::size_t band) const {
+    return node.is_group() ? group_exitance_[node.group() * static_cast<std::size_t>(bands_) + band]
+                           : frames_[node.root].exitance[band];
+  }
   /// The name of the node over all of the cluster: its topmost group, or its only polygon.
   PatchId root() const { return groups_.empty() ? PatchId{} : PatchId{PatchId::group_bit, 1}; }
   /// RMS over the node of radiosity minus its own affine function: what its children know better.
@@ -178,11 +183,13 @@ class PatchForest {
   std::vector<PatchNode> nodes_;
   std::vector<GroupNode> groups_;
   std::vector<std::uint32_t> order_;
+  void reserve(std::size_t nodes);
   void pull_groups();
+  void sum_exitances();
   std::int32_t build_group(std::uint32_t begin, std::uint32_t end);
 
   std::vector<double> radiosity_, irradiance_, deviation_;
-  std::vector<double> group_radiosity_, group_spread_;
+  std::vector<double> group_radiosity_, group_spread_, group_exitance_;
   std::vector<float> exposure_;
   std::uint32_t exposed_to_ = 0;  ///< lit polygons in view when the exposures were measured
   std::vector<std::uint8_t> sealed_;

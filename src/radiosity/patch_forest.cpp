@@ -32,6 +32,7 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   std::iota(order_.begin(), order_.end(), 0u);
   if (frames_.size() > 1) build_group(0, static_cast<std::uint32_t>(order_.size()));
   pull_groups();
+  sum_exitances();
 }
 
 /// Splits polygons by place and facing at once: a direction counts as half the group's extent.
@@ -81,6 +82,13 @@ std::size_t PatchForest::find(PatchId id) const {
     node = static_cast<std::size_t>(nodes_[node].first_child) + ((id.path >> bit) & 1u);
   }
   return node;
+}
+
+void PatchForest::reserve(std::size_t nodes) {
+  nodes_.reserve(nodes);
+  for (std::vector<double>* light : {&radiosity_, &irradiance_}) light->reserve(nodes * stride());
+  deviation_.reserve(nodes);
+  exposure_.reserve(nodes);
 }
 
 std::size_t PatchForest::subdivide(std::size_t leaf) {
@@ -233,6 +241,20 @@ void PatchForest::pull_groups() {
           group_spread_[g],
           std::sqrt(group.area_m2 > 0.0 ? std::max(0.0, square / group.area_m2 - mean * mean)
                                         : 0.0));
+    }
+  }
+}
+
+void PatchForest::sum_exitances() {
+  const auto bands = static_cast<std::size_t>(bands_);
+  group_exitance_.assign(groups_.size() * bands, 0.0);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const GroupNode& group = groups_[g];
+    for (std::uint32_t i = group.begin; i < group.end; ++i) {
+      const std::uint32_t k = order_[i];
+      const double share = nodes_[k].shape.area_m2 / group.area_m2;
+      for (std::size_t b = 0; b < bands; ++b)
+        group_exitance_[g * bands + b] += share * frames_[k].exitance[b];
     }
   }
 }

@@ -13,6 +13,8 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices,
                                                     const Vec2& axis, double at) {
   std::vector<Vec2> below, above;
+  below.reserve(vertices.size() + 1);
+  above.reserve(vertices.size() + 1);
   Vec2 a = vertices.back();
   double side_a = glm::dot(axis, a) - at;
   for (const Vec2& b : vertices) {
@@ -83,8 +85,11 @@ Vec2 PatchShape::long_axis() const {
   const double radius = std::hypot(difference, cxy);
   if (radius <= 1e-6 * (cxx + cyy)) return {1.0, 0.0};
   if (std::abs(cxy) <= 1e-9 * radius) return difference > 0.0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
-  const double angle = 0.5 * std::atan2(cxy, difference);
-  return {std::cos(angle), std::sin(angle)};
+  // The half of the angle of (difference, cxy); the larger of its cosine and sine by a root.
+  const double root = std::sqrt(0.5 * (1.0 + std::abs(difference) / radius));
+  const double other = 0.5 * std::abs(cxy) / (radius * root);
+  return difference >= 0.0 ? Vec2{root, std::copysign(other, cxy)}
+                           : Vec2{other, std::copysign(root, cxy)};
 }
 
 Vec2 PatchShape::deviations() const {

@@ -9,7 +9,7 @@ namespace {
 class ErrorOracle final : public RefinementOracle {
  public:
   double doubt(const Link& link, std::span<const float> /*transport*/,
-               const PatchForest& /*receiver*/, const LinkSide& shooter) const override {
+               const PatchForest& /*receiver*/, const NodeLight& shooter) const override {
     return link.error * shooter.light + link.variation * shooter.variation;
   }
 
@@ -33,7 +33,7 @@ class ErrorOracle final : public RefinementOracle {
 class BrightnessOracle final : public RefinementOracle {
  public:
   double doubt(const Link& link, std::span<const float> transport, const PatchForest& receiver,
-               const LinkSide& shooter) const override {
+               const NodeLight& shooter) const override {
     return area_factor(receiver, link, transport) * shooter.light;
   }
 

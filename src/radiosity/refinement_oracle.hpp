@@ -20,7 +20,7 @@ class RefinementOracle {
   /// In received power (m2 times irradiance, worst band) at today's light of the shooter; a link is
   /// refined where it is above the tolerance.
   virtual double doubt(const Link& link, std::span<const float> transport,
-                       const PatchForest& receiver, const LinkSide& shooter) const = 0;
+                       const PatchForest& receiver, const NodeLight& shooter) const = 0;
   virtual bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                                const LinkEstimate& estimate) const = 0;
 };

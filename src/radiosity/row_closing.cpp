@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace enfilade {
 
 RowClosing::RowClosing(ClusterState& receiver)
@@ -14,13 +16,16 @@ RowClosing::RowClosing(ClusterState& receiver)
 
 void RowClosing::see(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
-  std::vector<bool>& lit = lit_[shooter.id()];
-  lit.resize(patches.polygons());
-  for (std::size_t k = 0; k < lit.size(); ++k) {
+  ENFILADE_CHECK(lit_from_.empty() || lit_from_.back().first < shooter.id(),
+                 "shooters out of turn");
+  lit_from_.emplace_back(shooter.id(), lit_.size());
+  lit_.resize(lit_.size() + patches.polygons(), 0);
+  char* lit = lit_.data() + lit_from_.back().second;
+  for (std::size_t k = 0; k < patches.polygons(); ++k) {
     for (std::size_t b = 0; b < bands_; ++b) {
-      if (patches.radiosity(k)[b * terms_] > 0.0) lit[k] = true;
+      if (patches.radiosity(k)[b * terms_] > 0.0) lit[k] = 1;
     }
-    if (lit[k]) ++lit_in_view_;
+    lit_in_view_ += static_cast<std::uint32_t>(lit[k]);
   }
 }
 
@@ -68,8 +73,10 @@ std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluder
                                             WorkCount& work) {
   PatchForest& patches = receiver_.patches();
   const auto lit = [this](const PolygonRef& polygon) {
-    const auto seen = lit_.find(polygon.cluster);
-    return seen != lit_.end() && seen->second[polygon.polygon];
+    const auto seen = std::lower_bound(lit_from_.begin(), lit_from_.end(),
+                                       std::pair(polygon.cluster, std::size_t{0}));
+    return seen != lit_from_.end() && seen->first == polygon.cluster &&
+           lit_[seen->second + polygon.polygon] != 0;
   };
   patches.expose_to(lit_in_view_);
   std::vector<char> open(patches.polygons(), 0);

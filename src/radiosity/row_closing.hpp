@@ -1,8 +1,8 @@
 // Closing the rows of form factors: energy neither made nor lost by the links' errors.
 #pragma once
 
-#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/exposure.hpp"
@@ -16,7 +16,7 @@ class RowClosing {
  public:
   explicit RowClosing(ClusterState& receiver);
 
-  /// Notes which of a shooter's polygons give light.
+  /// Notes which of a shooter's polygons give light. Shooters come by rising id.
   void see(const ClusterState& shooter);
   /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band, which
   /// varies by `variation` (RMS, worst band).
@@ -43,8 +43,9 @@ class RowClosing {
   /// by it, and per band the doubtful light: that and what varies over the shooters.
   std::vector<double> rows_;
   Spectrum doubtful_power_;
-  std::map<ClusterId, std::vector<bool>> lit_;
-  std::uint32_t lit_in_view_ = 0;  ///< polygons
+  std::vector<char> lit_;  ///< the shooters' polygons, one shooter after the other
+  std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< where a shooter's begin, rising
+  std::uint32_t lit_in_view_ = 0;                            ///< polygons
 };
 
 }  // namespace enfilade

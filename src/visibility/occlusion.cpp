@@ -135,7 +135,8 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   Beam beam;
   beam.a = side_of(std::move(parts));
   beam.b = side_of({BeamPart(BeamPart::no_number, window, back)});
-  for (const Window& w : view.path) {
+  // Fewer windows leave more lines: what is hidden from those is hidden from fewer.
+  for (const Window& w : view.path.last(std::min(config_.window_path, view.path.size()))) {
     beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }
   Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts,
