@@ -54,6 +54,7 @@ PlanBox box_around(const std::vector<Vec3>& points, const Vec3& up) {
 /// What may be walked on, or the underside of it.
 struct Tread {
   Vec3 middle{0.0};
+  double height_m = 0.0;
   double plan_m2 = 0.0;
   bool rises = false;  ///< faces up
 };
@@ -66,8 +67,11 @@ class StairwellFinder {
       const double rise = glm::dot(normal(piece.polygon), space.up);
       if (std::abs(rise) < 0.5) continue;
       const double plan_m2 = area_m2(piece.polygon) * std::abs(rise);
-      treads_.push_back({centroid(piece.polygon), plan_m2, rise > 0.0});
+      const Vec3 middle = centroid(piece.polygon);
+      treads_.push_back({middle, glm::dot(space.up, middle), plan_m2, rise > 0.0});
     }
+    std::stable_sort(treads_.begin(), treads_.end(),
+                     [](const Tread& a, const Tread& b) { return a.height_m < b.height_m; });
   }
 
   void run() {
@@ -121,15 +125,21 @@ class StairwellFinder {
     return {std::pair{low, rim_high}, std::pair{rim_low, high}};
   }
 
+  std::vector<Tread>::const_iterator first_above(double height_m) const {
+    return std::upper_bound(treads_.begin(), treads_.end(), height_m,
+                            [](double height, const Tread& t) { return height < t.height_m; });
+  }
+
   bool has_flight(const PlanBox& box, const Rooms& rooms, const std::vector<Vec3>& points) const {
     for (const auto& [from, to] : climbs(box, rooms, points)) {
       // By facing and quarter of the way, m2.
       std::array<std::array<double, 4>, 2> covered{};
-      for (const Tread& tread : treads_) {
-        if (!box.contains(tread.middle)) continue;
-        const double at = (glm::dot(space_.up, tread.middle) - from) / (to - from);
-        if (at <= 0.02 || at >= 0.98) continue;
-        covered[tread.rises ? 0 : 1][static_cast<std::size_t>(4.0 * at)] += tread.plan_m2;
+      const double height = to - from;
+      for (auto tread = first_above(from + 0.02 * height);
+           tread != treads_.end() && tread->height_m < from + 0.98 * height; ++tread) {
+        if (!box.contains(tread->middle)) continue;
+        const double at = (tread->height_m - from) / height;
+        covered[tread->rises ? 0 : 1][static_cast<std::size_t>(4.0 * at)] += tread->plan_m2;
       }
       const double least = 0.25 * config_.tread_share * box.area_m2();
       for (const auto& quarters : covered) {
@@ -229,7 +239,7 @@ class StairwellFinder {
   CutSpace& space_;
   LeafCutter& cutter_;
   StairwellConfig config_;
-  std::vector<Tread> treads_;
+  std::vector<Tread> treads_;  ///< from the lowest up
 };
 
 }  // namespace
