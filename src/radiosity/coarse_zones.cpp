@@ -5,7 +5,7 @@
 #include <map>
 #include <queue>
 
-#include "radiosity/coarse_coupling.hpp"
+#include "base/error.hpp"
 
 namespace enfilade {
 namespace {
@@ -71,6 +71,7 @@ CoarseZones::CoarseZones(const PatchForest& forest, std::size_t most) {
            std::pair(first_place(b.id), aligned(b.id));
   });
   of_polygon_.resize(forest.polygons());
+  zones_.reserve(whole.size());
   for (std::uint32_t z = 0; z < whole.size(); ++z) {
     const PatchId id = whole[z].id;
     zones_.push_back({id, whole[z].area_m2});

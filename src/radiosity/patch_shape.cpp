@@ -12,11 +12,19 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 /// The parts of a convex polygon where dot(axis, p) is below and above `at`.
 std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices,
                                                     const Vec2& axis, double at) {
-  std::vector<Vec2> below, above;
-  below.reserve(vertices.size() + 1);
-  above.reserve(vertices.size() + 1);
   Vec2 a = vertices.back();
   double side_a = glm::dot(axis, a) - at;
+  std::size_t crossings = 0, size_below = 0;
+  bool was_below = side_a < 0.0;
+  for (const Vec2& b : vertices) {
+    const bool is_below = glm::dot(axis, b) - at < 0.0;
+    if (is_below) ++size_below;
+    if (is_below != was_below) ++crossings;
+    was_below = is_below;
+  }
+  std::vector<Vec2> below, above;  // as large as they are: there are millions of patches
+  below.reserve(size_below + crossings);
+  above.reserve(vertices.size() - size_below + crossings);
   for (const Vec2& b : vertices) {
     const double side_b = glm::dot(axis, b) - at;
     if ((side_a < 0.0) != (side_b < 0.0)) {

@@ -247,7 +247,9 @@ void replay_rooms(Context& context) {
       if (little) return;
       for (const char* key : {"bytes_read", "bytes_written", "messages", "message_bytes", "steals",
                               "links", "rays", "peak_cluster_bytes"}) {
-        SPMD_CHECK(solved.number(key, -1) == again.number(key, -2), key);
+        const double one = solved.number(key, -1), other = again.number(key, -2);
+        SPMD_CHECK(one == other, std::string(key) + " " + std::to_string(one) + ", replayed " +
+                                     std::to_string(other));
       }
     });
   }
