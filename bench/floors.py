@@ -3,8 +3,8 @@
 
 Makes the building of the preset with more and more storeys, prepares it, and fits time and memory to powers of the
 surfaces. Seconds are of user time; memory is the largest resident set. Through open windows, wings that face each other
-see each other over all storeys, so that the visible pairs themselves grow faster than the building; closed ones tell
-what the rest costs."""
+see each other over all storeys, so that the visible pairs themselves grow faster than the building; where windows are
+closed, outer walls and stairwells alone do."""
 import argparse
 import csv
 import math
@@ -22,7 +22,7 @@ def main():
     parser.add_argument("--floors", type=lambda text: [int(n) for n in text.split(",")], default=[1, 3, 10],
                         help="storeys, rising (1,3,10)")
     parser.add_argument("--windows", choices=["open", "closed", "none"], default="open",
-                        help="of the building; any but open leaves a storey to itself (open)")
+                        help="of the building; where they are closed, rooms see no other wing (open)")
     parser.add_argument("-o", "--output", type=Path, required=True)
     parser.add_argument("--chart", type=Path)
     options = parser.parse_args()

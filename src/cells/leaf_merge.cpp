@@ -278,7 +278,7 @@ class Merger {
 
   void join(std::uint32_t g, std::uint32_t h) {
     graph_.join(g, h);
-    if (g == outside_group) return;  // it is no room's candidate, and its neighbours are many
+    if (g == outside_group) return;  // rooms are settled by then
     stale_[g] = stale_[h] = 1;
     for (const auto& [other, sides] : graph_[graph_.find(g)].contacts) stale_[other] = 1;
   }

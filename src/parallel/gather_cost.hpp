@@ -18,7 +18,7 @@ struct GatherCost {
   ClusterId cluster;
   IterationSums sums;                  ///< what it brought; its work among them
   SectionWeight patches, links;        ///< as it wrote them
-  std::vector<std::uint32_t> coupled;  ///< in the coarse system: column + unknowns * zone
+  std::vector<std::uint32_t> coupled;  ///< in the coarse system, if any: column + unknowns * zone
 };
 
 /// Whose light a gather takes: what the recorded iterations are true for.

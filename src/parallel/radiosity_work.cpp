@@ -40,7 +40,7 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, 
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   files_.set_committed(plan.iteration - 1);
-  coarse_ = CoarseSystem(unknowns_.count, bands_);
+  if (config_.light.coarse_correction) coarse_ = CoarseSystem(unknowns_.count, bands_);
   resident_.set_correction(
       [this, own = std::vector<double>(changes.begin(), changes.end())](ClusterState& state) {
         if (own.empty()) return;

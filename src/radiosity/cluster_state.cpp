@@ -160,23 +160,18 @@ class ClusterStateCodec {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);
   }
 
-  /// About.
+  /// Of a section, about.
   static std::size_t written_bytes(const ClusterState& state, Section section) {
     const PatchForest& f = state.patches();
     const LinkSet& l = state.links();
-    switch (section) {
-      case Section::geometry:
-        return 256 +
-               f.frames_.size() * (sizeof(PolygonFrame) + 16 * static_cast<std::size_t>(f.bands_)) +
-               f.groups_.size() * sizeof(GroupNode);
-      case Section::patches:
-        return 256 + f.frames_.size() +
-               f.nodes_.size() *
-                   (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1));
-      case Section::links:
-        return 64 + l.links_.size() * sizeof(Link) + l.transport_.size() * sizeof(float);
+    constexpr std::size_t head = 64;
+    if (section == Section::links)
+      return head + l.links_.size() * sizeof(Link) + l.transport_.size() * sizeof(float);
+    if (section == Section::patches) {
+      return head + f.frames_.size() +
+             f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1));
     }
-    return 0;
+    return head;  // written once
   }
 
   static void shrink(PatchForest& f) {

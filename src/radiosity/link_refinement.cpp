@@ -28,10 +28,10 @@ bool LinkRefinement::fine_as_it_is(const Link& link, std::span<const float> tran
                                    const PatchForest* shooter) const {
   if (!link.evaluated && link.is_light()) return false;
   if (link.evaluated && link.finest) return true;
-  const NodeLight side = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
+  const NodeLight sent = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
                                             : NodeLight::of(*shooter, link.shooter);
-  if (!link.evaluated) return side.light <= 0.0 && side.variation <= 0.0;
-  return oracle_->doubt(link, transport, receiver_.patches(), side) <= config_.link_tolerance;
+  if (!link.evaluated) return sent.light <= 0.0 && sent.variation <= 0.0;
+  return oracle_->doubt(link, transport, receiver_.patches(), sent) <= config_.link_tolerance;
 }
 
 void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSet& kept) {

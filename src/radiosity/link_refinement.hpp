@@ -25,11 +25,11 @@ class LinkRefinement {
   LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
-  /// Need nothing be done about the link at today's light? `shooter`: the patches of
-  /// link.shooter_cluster; null for a point light.
+  /// May the link stay as it is at today's light? `shooter`: the patches of link.shooter_cluster;
+  /// null for a point light.
   bool fine_as_it_is(const Link& link, std::span<const float> transport,
                      const PatchForest* shooter) const;
-  /// Appends to `kept` what a link that is not must be replaced by.
+  /// For a link that may not: appends to `kept` what takes its place, which may be nothing.
   void refine(const Link& link, const PatchForest* shooter, LinkSet& kept);
 
  private:

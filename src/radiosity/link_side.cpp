@@ -6,10 +6,22 @@
 namespace enfilade {
 namespace {
 
+/// A node's shape, or where it has not been made that of the part of its ancestor.
+PatchShape shape_of(const PatchForest& forest, std::size_t node, PatchId id) {
+  PatchShape shape = forest.node(node).shape;
+  int missing = 0;
+  for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
+  while (missing-- > 0) {
+    auto halves = shape.halves(shape.cut(forest.frames()[id.root].lines));
+    shape = ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
+  }
+  return shape;
+}
+
 /// The largest mean over the bands, and the largest RMS variation (gradient and children) over a
 /// part of a node.
 NodeLight light_within(const PatchForest& forest, std::size_t node, const PatchShape& s) {
-  NodeLight side;
+  NodeLight sent;
   const std::span<const double> b = forest.radiosity(node);
   const Vec2 shift = s.centroid - forest.node(node).shape.centroid;
   const auto terms = static_cast<std::size_t>(forest.terms());
@@ -20,18 +32,18 @@ NodeLight light_within(const PatchForest& forest, std::size_t node, const PatchS
       mean += glm::dot(g, shift);
       variation = s.cxx * g.x * g.x + 2.0 * s.cxy * g.x * g.y + s.cyy * g.y * g.y;
     }
-    side.light = std::max(side.light, std::abs(mean));
-    side.variation = std::max(side.variation, std::sqrt(std::max(0.0, variation)));
+    sent.light = std::max(sent.light, std::abs(mean));
+    sent.variation = std::max(sent.variation, std::sqrt(std::max(0.0, variation)));
   }
-  side.variation = std::hypot(side.variation, forest.deviation(node));
-  return side;
+  sent.variation = std::hypot(sent.variation, forest.deviation(node));
+  return sent;
 }
 
 NodeLight light_of_group(const PatchForest& forest, std::size_t group) {
-  NodeLight side;
-  for (const double b : forest.group_radiosity(group)) side.light = std::max(side.light, b);
-  side.variation = forest.group_spread(group);
-  return side;
+  NodeLight sent;
+  for (const double b : forest.group_radiosity(group)) sent.light = std::max(sent.light, b);
+  sent.variation = forest.group_spread(group);
+  return sent;
 }
 
 }  // namespace
@@ -40,13 +52,13 @@ NodeLight NodeLight::of(const PatchForest& forest, PatchId id) {
   if (id.is_group()) return light_of_group(forest, id.group());
   const std::size_t node = forest.find(id);
   if (forest.node(node).id == id) return light_within(forest, node, forest.node(node).shape);
-  return LinkSide::of(forest, {}, id);
+  return light_within(forest, node, shape_of(forest, node, id));
 }
 
 NodeLight NodeLight::of(const PointLight& light) {
-  NodeLight side;
-  for (const double i : light.intensity) side.light = std::max(side.light, i);
-  return side;
+  NodeLight sent;
+  for (const double i : light.intensity) sent.light = std::max(sent.light, i);
+  return sent;
 }
 
 LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) {
@@ -63,14 +75,7 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
     return side;
   }
   const std::size_t node = forest.find(id);
-  side.shape = forest.node(node).shape;
-  int missing = 0;
-  for (std::uint32_t path = id.path; path != forest.node(node).id.path; path >>= 1) ++missing;
-  while (missing-- > 0) {
-    auto halves = side.shape.halves(side.shape.cut(side.frame().lines));
-    side.shape =
-        ((id.path >> missing) & 1u) == 0 ? std::move(halves.first) : std::move(halves.second);
-  }
+  side.shape = shape_of(forest, node, id);
   const PolygonFrame& frame = side.frame();
   side.center = frame.at(side.shape.centroid);
   for (const Vec2& p : side.shape.vertices) {

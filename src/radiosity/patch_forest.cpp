@@ -252,7 +252,7 @@ void PatchForest::sum_exitances() {
     const GroupNode& group = groups_[g];
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
       const std::uint32_t k = order_[i];
-      const double share = nodes_[k].shape.area_m2 / group.area_m2;
+      const double share = group.area_m2 > 0.0 ? nodes_[k].shape.area_m2 / group.area_m2 : 0.0;
       for (std::size_t b = 0; b < bands; ++b)
         group_exitance_[g * bands + b] += share * frames_[k].exitance[b];
     }

@@ -17,7 +17,7 @@ RowClosing::RowClosing(ClusterState& receiver)
 void RowClosing::see(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
   ENFILADE_CHECK(lit_from_.empty() || lit_from_.back().first < shooter.id(),
-                 "shooters out of turn");
+                 std::to_string(shooter.id().value));
   lit_from_.emplace_back(shooter.id(), lit_.size());
   lit_.resize(lit_.size() + patches.polygons(), 0);
   char* lit = lit_.data() + lit_from_.back().second;

@@ -346,7 +346,8 @@ void BasicResidentClusters<State>::evict() {
     if (!may_go(entry, id, links)) continue;
     if (now || turns_until(id, links) >= turns / 2) drop(*entry, id, links);
   }
-  // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4).
+  // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4);
+  // on a simulated machine memory is counted, not measured.
   if (manager_ == MemoryManager::own && !machine_.simulated() && freed_bytes_ > budget_bytes_ / 8) {
     malloc_trim(0);
     freed_bytes_ = 0;

@@ -135,7 +135,7 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   Beam beam;
   beam.a = side_of(std::move(parts));
   beam.b = side_of({BeamPart(BeamPart::no_number, window, back)});
-  // Fewer windows leave more lines: what is hidden from those is hidden from fewer.
+  // To leave windows out only adds lines: a proof for all of those holds for fewer.
   for (const Window& w : view.path.last(std::min(config_.window_path, view.path.size()))) {
     beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }

@@ -25,7 +25,7 @@ struct OcclusionConfig {
   int window_rays = 4;              ///< as first_rays, for a cluster and a portal
   int window_parts = 4;             ///< as max_parts, for a cluster and a portal
   int window_planes = 2;            ///< as max_planes, for a cluster and a portal
-  std::size_t window_path = 4;      ///< windows on the way that narrow its beam, the last ones
+  std::size_t window_path = 4;      ///< as many windows on the way, the last ones, narrow the beam
   int max_planes = 5;               ///< tried for each part, those that stop most rays first
   double most_open = 0.8;           ///< of a plane; where more is open, a side is taken apart
   std::size_t max_pieces = 8;       ///< more openings in a plane are not followed one by one
@@ -45,8 +45,8 @@ class Occlusion {
   Occlusion(std::span<const Cluster> clusters, double tolerance_m, const OcclusionConfig& config);
 
   Sight between(std::uint32_t a, std::uint32_t b, int max_parts) const;
-  /// Is the window hidden from all of the source, for lines through the windows before it? These
-  /// are portals, good to the cells' tolerance.
+  /// Is the window hidden from all of the source, for lines through the last windows before it?
+  /// These are portals, good to the cells' tolerance.
   bool is_hidden(const WindowView& view) const;
 
  private:

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "box_room.hpp"
 
 namespace enfilade {
@@ -78,6 +80,46 @@ TEST(Gather, DoesNotMissASmallBrightLampCloseToALargeFloor) {
   // Nearly all that the lamp emits lands on the floor.
   const double received = solved.states[0].patches().irradiance(0)[0] * 100.0 * 100.0;
   EXPECT_NEAR(received, 0.1 * 0.1 * 1.0, 0.01 * 0.01);
+}
+
+/// Only the links from where the light has grown are refined; the others stay, in their order.
+TEST(Gather, ReplacesTheLinksThatAreNotFineAnyMore) {
+  testing::Solved solved(testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0}), Basis::linear,
+                         1e-3);
+  ClusterState& receiver = solved.states[0];
+  std::vector<ClusterId> all;
+  for (const Cluster& c : solved.clusters) all.push_back(c.id);
+  GatherConfig config;
+  config.iteration = solved.iterations + 1;
+  config.refinement.link_tolerance = 1e-3 * emitted_power(solved.scene, solved.clusters)[0];
+  config.refinement.min_area_m2 = 1e-8;
+  const auto again = [&] {
+    gather(
+        receiver, all,
+        [&](ClusterId id) -> const ClusterState& { return solved.states[id.index()]; }, {},
+        solved.occluders, config);
+  };
+  const LinkSet before = receiver.links();
+  const auto bytes = receiver.bytes_of(Section::links);
+  again();
+  EXPECT_EQ(receiver.bytes_of(Section::links), bytes);
+  PatchForest& bright = solved.states[2].patches();
+  for (std::size_t n = 0; n < bright.size(); ++n) bright.radiosity(n)[0] *= 100.0;
+  again();
+  const LinkSet& after = receiver.links();
+  EXPECT_GT(after.size(), before.size());
+  const auto others = [](const LinkSet& links) {
+    std::vector<std::tuple<std::uint32_t, PatchId, PatchId, float>> kept;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      if (links[i].shooter_cluster == ClusterId(2u)) continue;
+      kept.emplace_back(links[i].shooter_cluster.value, links[i].shooter, links[i].receiver,
+                        links.transport(i)[0]);
+    }
+    return kept;
+  };
+  EXPECT_EQ(others(after), others(before));
+  for (std::size_t i = 1; i < after.size(); ++i)
+    EXPECT_LE(after[i - 1].shooter_cluster, after[i].shooter_cluster);
 }
 
 TEST(Gather, NoLightGivesNoWorkAndZero) {

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "box_room.hpp"
+#include "radiosity/link_estimate.hpp"
 
 namespace enfilade {
 namespace {
@@ -50,6 +54,17 @@ TEST(PatchShape, QuadratureIsExactForQuadratics) {
   double mean = 0.0;
   for (const Vec2& p : s.quadrature()) mean += 0.25 * f(p);
   EXPECT_NEAR(mean, integral(pentagon, f) / s.area_m2, 1e-5);
+}
+
+TEST(PatchShape, TheLongAxisTurnsWithTheShape) {
+  for (int degrees = -85; degrees <= 90; degrees += 5) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const Vec2 along{std::cos(angle), std::sin(angle)}, across{-along.y, along.x};
+    const PatchShape s = PatchShape::from({Vec2(7, 3), Vec2(7, 3) + 3.0 * along,
+                                           Vec2(7, 3) + 3.0 * along + across, Vec2(7, 3) + across});
+    EXPECT_NEAR(std::abs(glm::dot(s.long_axis(), along)), 1.0, 1e-12) << degrees;
+    EXPECT_NEAR(glm::length(s.long_axis()), 1.0, 1e-12) << degrees;
+  }
 }
 
 TEST(PatchShape, HalvesCoverTheWhole) {
@@ -117,6 +132,48 @@ TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
     EXPECT_GT(f.deviation(0), 0.1);  // the jump between the halves
     EXPECT_NEAR(f.deviation(child), 0.0, 1e-7);
   }
+}
+
+TEST(PatchForest, AGroupSendsTheMeanOfItsPolygonsByArea) {
+  Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.2}, {1.0, 0.0});
+  testing::add_block(scene, {1, 0.5, 0}, {1.5, 1, 0.6}, {0.4, 0.4}, {0.0, 1.0});
+  scene.surfaces.back().exitance = {4.0, 2.0};
+  const ClusterState state(testing::clusters_of(scene).back(), scene, Basis::linear);
+  const PatchForest& f = state.patches();
+  ASSERT_TRUE(f.root().is_group());
+  double area = 0.0, power[2] = {0.0, 0.0};
+  for (std::size_t k = 0; k < f.polygons(); ++k) {
+    area += f.node(k).shape.area_m2;
+    for (std::size_t b = 0; b < 2; ++b)
+      power[b] += f.node(k).shape.area_m2 * f.frames()[k].exitance[b];
+  }
+  const ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches), {});
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_NEAR(f.exitance(f.root(), b), power[b] / area, 1e-12);
+    EXPECT_EQ(copy.patches().exitance(f.root(), b), f.exitance(f.root(), b));
+  }
+  EXPECT_EQ(f.exitance({0, 0b101}, 0), f.frames()[0].exitance[0]);
+}
+
+TEST(NodeLight, IsThatOfTheSideOfALink) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.9}, {1.0, 0.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear);
+  PatchForest& f = state.patches();
+  f.subdivide(f.subdivide(0));
+  std::vector<double> gathered(f.size() * 6, 0.0);
+  gathered[0] = 2.0;
+  gathered[1] = 0.7;
+  gathered[5] = -0.3;
+  f.push_pull(gathered);
+  for (const std::uint32_t path : {1u, 2u, 3u, 4u, 5u, 6u, 13u, 21u}) {  // 6, 13, 21: not made
+    const NodeLight light = NodeLight::of(f, {0, path});
+    const LinkSide side = LinkSide::of(f, ClusterId(0u), {0, path});
+    EXPECT_EQ(light.light, side.light) << path;
+    EXPECT_EQ(light.variation, side.variation) << path;
+    EXPECT_GT(light.variation, 0.0) << path;
+  }
+  EXPECT_GT(NodeLight::of(f, {0, 13}).light, 1.0);
+  EXPECT_NE(NodeLight::of(f, {0, 13}).light, NodeLight::of(f, {0, 3}).light);
 }
 
 TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../cells/plan_scenes.hpp"
 #include "base/random.hpp"
 
@@ -64,6 +66,31 @@ TEST(Occlusion, TurnedAndFarAwayScreenHides) {
   screen(plan, 2, 0.2, 2);
   plan.transform(plan::turn_and_move(1e6));
   EXPECT_EQ(sight(plan), Sight::hidden);
+}
+
+/// Lines that come through the slit at x = 1 end on the screen; others pass above it.
+TEST(Occlusion, TheLastWindowsOnTheWayNarrowTheBeam) {
+  plan::Plan plan = two_plates();
+  screen(plan, 5.5, -10, 0.6);
+  const auto upright = [](double x, double y0, double y1) {
+    return Polygon{{x, y0, 0}, {x, y1, 0}, {x, y1, 1}, {x, y0, 1}};
+  };
+  const SourcePolygon source{plan.polygons[0], plane_of(plan.polygons[0]), 0};
+  const std::array<const SourcePolygon*, 1> sources{&source};
+  const Vec3 onwards(1, 0, 0);
+  std::vector<Window> path{{upright(1, 0, 0.1), onwards}};
+  for (const double x : {2.0, 3.0, 3.5}) path.push_back({upright(x, -1, 2), onwards});
+  const Polygon window = upright(6, 0, 1);
+  const Plane plane{onwards, 6};
+  std::vector<Cluster> clusters = one_cluster_each(plan);
+  clusters.erase(clusters.begin() + 1);  // the second plate
+  for (const std::size_t windows : {4u, 3u, 0u}) {
+    OcclusionConfig config;
+    config.window_path = windows;
+    config.window_parts = 64;
+    const Occlusion occlusion(clusters, tolerance_m, config);
+    EXPECT_EQ(occlusion.is_hidden({sources, path, window, plane}), windows == 4) << windows;
+  }
 }
 
 TEST(Occlusion, GapIsFound) {
