@@ -4,7 +4,8 @@ usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--ranks N] SCENE.
 
 A reference is a probe file with the answer `E` (and its own error `err` or `sigma`) at each point; without one the
 scene's own probes are. The true error is the relative L1 over the points beyond the reference's error, worst band:
-of the light gathered at the points, and of that read off the patches."""
+of the light gathered at the points, and of that read off the patches where points lie on a surface (not `where` says
+"work plane")."""
 import argparse
 import csv
 import json
@@ -59,7 +60,9 @@ def measure(options, scene, reference, target):
             answers = os.path.join(folder, "answers.json")
             run(options.enfilade, "probe", out, "--points", reference, "-o", answers, "--from", method)
             with open(answers, encoding="utf-8") as file:
-                errors[method] = true_error(points, json.load(file)["probes"])
+                answered = zip(points, json.load(file)["probes"])
+            kept = [pair for pair in answered if method == "gather" or "work plane" not in pair[0].get("where", "")]
+            errors[method] = true_error(*zip(*kept))
         with open(os.path.join(out, "stats.json"), encoding="utf-8") as file:
             stats = json.load(file)
     name = os.path.basename(reference).split(".json")[0].removesuffix(".ref")

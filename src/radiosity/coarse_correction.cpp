@@ -152,7 +152,7 @@ std::vector<double> CoarseSystem::solve(const CoarseUnknowns& unknowns) const {
 
 /// How a link's light is shared out between the zones of its shooter is a guess, but what leaves
 /// the cluster is known: each zone gives the share of that which it reflects and which does not
-/// escape. And none gives more than arrived there, whatever rounding and the links' errors say.
+/// escape. And no unknown gives more than that, whatever rounding and the links' errors say.
 std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& unknowns,
                                                         std::size_t band) const {
   std::vector<Column> columns(unknowns_);
@@ -167,13 +167,13 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
     const double before = before_[j * bands_ + band], after = after_[j * bands_ + band];
     if (before > 0.0 && after > 0.0) columns[j].growth = after / before;
   }
+  const auto gives = [&](std::size_t j) {
+    const std::size_t at = j * bands_ + band;
+    return std::max(0.0, after_[at] - absorbed_[at] - escaping_[at]);
+  };
   for (std::size_t c = 0; c < unknowns.first.size(); ++c) {
     const std::size_t begin = unknowns.first[c], end = begin + unknowns.zones[c];
     if (end - begin < 2) continue;
-    const auto gives = [&](std::size_t j) {
-      const std::size_t at = j * bands_ + band;
-      return std::max(0.0, after_[at] - absorbed_[at] - escaping_[at]);
-    };
     double all = 0.0, then = 0.0;  // zones' light is read stale alone (LightOrder)
     for (std::size_t j = begin; j < end; ++j) {
       all += stale[j];
@@ -186,7 +186,7 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
   for (std::size_t j = 0; j < unknowns_; ++j) {
     Column& column = columns[j];
     const double leaves = column.fresh * fresh[j] + column.growth * column.stale * stale[j];
-    const double most = 0.9999 * std::max(0.0, after_[j * bands_ + band]);
+    const double most = std::min(gives(j), 0.9999 * after_[j * bands_ + band]);
     if (leaves > most) {
       column.fresh *= most / leaves;
       column.stale *= most / leaves;

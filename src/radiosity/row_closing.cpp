@@ -138,7 +138,8 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
     const double doubt = 0.5 * has[terms_];
     const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
     const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
-    const double missing = gain * (target - has[0]);
+    // What else is missing comes from where no light is seen, as between panels that nearly touch.
+    const double missing = std::min(gain * (target - has[0]), has[terms_]);
     for (std::size_t b = 0; b < bands_; ++b) {
       double* to = gathered.data() + n * stride + b * terms_;
       const double light = has[terms_ + 1 + b] / has[terms_];

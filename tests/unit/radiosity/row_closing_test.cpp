@@ -1,0 +1,44 @@
+#include "radiosity/row_closing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+/// The floor of a closed, glowing room has one link, with a share of its row and a doubt. What
+/// closing its row adds, per m2 and unit of the link's light:
+double added(float share, float doubt) {
+  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5}, {1.0});
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  std::vector<ClusterState> states;
+  for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
+  RowClosing closing(states[0]);
+  for (const ClusterState& s : states) closing.see(s);
+  Link link;
+  link.shooter_cluster = ClusterId(1u);
+  link.shooter = link.receiver = {0, 1};
+  link.error = doubt * 16.0f;  // times the floor's area
+  const double light = 800.0;
+  closing.add(link, std::span(&share, 1), std::span(&light, 1), 0.0);
+  WorkCount work;
+  std::vector<double> gathered(1, 0.0);
+  closing.close(occluders, {}, work, gathered);
+  return gathered[0] / light;
+}
+
+TEST(RowClosing, GivesARowWhatItLacks) {
+  EXPECT_NEAR(added(0.75f, 0.5f), 0.25, 1e-6);
+  EXPECT_NEAR(added(1.25f, 0.5f), -0.25, 1e-6);
+}
+
+/// A face that nearly touches another sees next to nothing else: the lamp whose light comes through
+/// the gap is not all around it.
+TEST(RowClosing, AddsNoMoreThanTheLinksMayBeWrongBy) {
+  EXPECT_NEAR(added(0.02f, 0.006f), 0.006, 1e-6);
+}
+
+}  // namespace
+}  // namespace enfilade
