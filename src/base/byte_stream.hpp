@@ -26,13 +26,13 @@ class ByteWriter {
     add(std::as_bytes(std::span(&value, 1)));
   }
   /// How many there are, as a `Count`, then the values.
-  template <class Count = std::uint64_t, class T>
-  void put_all(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
+  template <class Count = std::uint64_t, class Values>
+  void put_all(const Values& values) {
+    static_assert(std::is_trivially_copyable_v<typename Values::value_type>);
     ENFILADE_CHECK(static_cast<Count>(values.size()) == values.size(),
                    std::to_string(values.size()));
     put(static_cast<Count>(values.size()));
-    add(std::as_bytes(std::span(values)));
+    add(std::as_bytes(std::span(values.data(), values.size())));
   }
   void put_text(std::string_view text);
   /// Letters that the reader knows beforehand: ByteReader::expect.
@@ -64,12 +64,19 @@ class ByteReader {
   }
   template <class T, class Count = std::uint64_t>
   std::vector<T> get_all() {
+    std::vector<T> values;
+    get_all<std::vector<T>, Count>(values);
+    return values;
+  }
+  /// Into any container that lies in one piece.
+  template <class Values, class Count = std::uint64_t>
+  void get_all(Values& values) {
+    using T = typename Values::value_type;
     static_assert(std::is_trivially_copyable_v<T>);
-    std::vector<T> values(get_count<Count>(sizeof(T)));
+    values.resize(get_count<Count>(sizeof(T)));
     const std::size_t size = values.size() * sizeof(T);
     const std::byte* from = advance(size);
     if (size > 0) std::memcpy(static_cast<void*>(values.data()), from, size);
-    return values;
   }
   std::string get_text();
   /// A count of things that take at least `bytes_each` of what is left.

@@ -50,6 +50,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
+  gather_config_.coarse_row = config_.light.coarse_correction;
   gather_config_.close_rows = plan.close_rows;
   gather_config_.mend = plan.mend;
   gather_config_.residual = {};

@@ -23,8 +23,8 @@ PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
   frame.u = glm::normalize(frame.u - glm::dot(frame.u, frame.n) * frame.n);
   frame.v = glm::cross(frame.n, frame.u);
   const Surface& surface = scene.surfaces[polygon.surface.index()];
-  frame.reflectance = surface.reflectance;
-  frame.exitance = surface.exitance;
+  frame.reflectance.assign(surface.reflectance.begin(), surface.reflectance.end());
+  frame.exitance.assign(surface.exitance.begin(), surface.exitance.end());
   for (const Segment& s : polygon.contacts) {
     frame.lines.push_back({frame.project(s.a), frame.project(s.b)});
   }
@@ -74,8 +74,8 @@ class ClusterStateCodec {
       frame.u = r.get<Vec3>();
       frame.v = r.get<Vec3>();
       frame.n = r.get<Vec3>();
-      frame.reflectance = r.get_all<double>();
-      frame.exitance = r.get_all<double>();
+      r.get_all(frame.reflectance);
+      r.get_all(frame.exitance);
       frame.lines = r.get_all<MeshLine>();
     }
     for (std::size_t k = 0; k < f.frames_.size(); ++k) f.nodes_.push_back(read_node(r));
@@ -101,17 +101,12 @@ class ClusterStateCodec {
   }
 
   static void read_patches(PatchForest& f, ByteReader& r) {
-    f.radiosity_.resize(f.nodes_.size() * f.stride());
-    f.irradiance_.resize(f.nodes_.size() * f.stride());
-    f.deviation_.resize(f.nodes_.size());
-    f.exposure_.resize(f.nodes_.size());
-    f.sealed_.resize(f.frames_.size());
     const std::vector<std::uint32_t> splits = r.get_all<std::uint32_t>();
-    f.reserve(f.frames_.size() + 2 * splits.size());
+    f.nodes_.reserve(f.frames_.size() + 2 * splits.size());
     for (const std::uint32_t parent : splits) {
       if (parent >= f.nodes_.size())
         throw RunError("a cluster's record names a patch it does not have");
-      f.subdivide(parent);
+      f.add_halves(parent);
     }
     f.radiosity_ = r.get_all<double>();
     f.irradiance_ = r.get_all<double>();
@@ -146,15 +141,20 @@ class ClusterStateCodec {
   }
 
   static std::size_t bytes(const PatchForest& f) {
+    // What does not lie in the nodes and frames themselves.
+    const auto bands = static_cast<std::size_t>(f.bands_);
+    const std::size_t in_frames =
+        bands > BandValues::static_capacity ? 2 * sizeof(double) * bands : 0;
     std::size_t corners = 0;
-    for (const PatchNode& n : f.nodes_) corners += n.shape.vertices.capacity();
+    for (const PatchNode& n : f.nodes_) {
+      if (n.shape.vertices.capacity() > PatchOutline::static_capacity)
+        corners += n.shape.vertices.capacity();
+    }
     return f.nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
            (f.radiosity_.capacity() + f.irradiance_.capacity() + f.deviation_.capacity()) *
                sizeof(double) +
-           f.frames_.size() *
-               (sizeof(PolygonFrame) + 2 * sizeof(double) * static_cast<std::size_t>(f.bands_)) +
-           f.groups_.size() *
-               (sizeof(GroupNode) + sizeof(double) * static_cast<std::size_t>(2 * f.bands_ + 1));
+           f.frames_.size() * (sizeof(PolygonFrame) + in_frames) +
+           f.groups_.size() * (sizeof(GroupNode) + sizeof(double) * 2 * bands + 1);
   }
   static std::size_t bytes(const LinkSet& l) {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);
@@ -195,7 +195,8 @@ class ClusterStateCodec {
   static PatchNode read_node(ByteReader& r) {
     PatchNode n;
     n.id = r.get<PatchId>();
-    n.shape = PatchShape::from(r.get_all<Vec2>());
+    r.get_all(n.shape.vertices);
+    n.shape = PatchShape::from(n.shape.vertices);
     return n;
   }
 };

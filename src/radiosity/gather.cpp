@@ -32,6 +32,7 @@ class Gatherer {
         means_(bands_),
         flow_(bands_) {
     result_.beamed_power.assign(bands_, 0.0);
+    result_.returning_power.assign(bands_, 0.0);
     result_.doubtful_power.assign(bands_, 0.0);
   }
 
@@ -116,7 +117,7 @@ void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool sta
   const std::size_t end = changed_ ? kept_.size() : next_;
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
   std::optional<ZoneFlow> flow;
-  if (shooter != nullptr)
+  if (shooter != nullptr && config_.coarse_row)
     flow.emplace(receiver_.patches(), receiver_.zones(), *shooter, state->zones());
   bool any = false;
   for (std::size_t i = kept_begin; i < end; ++i) {
@@ -170,8 +171,9 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   } else {
     for (std::size_t b = 0; b < bands_; ++b) {
       flow_[b] = factor * (means_[b] - shooter->exitance(link.shooter, b));
+      result_.returning_power[b] += flow_[b];
     }
-    flow->add(link, transport, flow_);
+    if (flow != nullptr) flow->add(link, transport, flow_);
   }
   if (config_.close_rows) closing_.add(link, transport, means_, variation);
   link.receiver.is_group() ? receive_beam(link, transport) : receive_patch(link, transport);
@@ -234,10 +236,12 @@ void Gatherer::close_rows() {
   closing_.close(occluders_, config_.mend, result_.work, gathered_);
   result_.doubtful_power = closing_.doubtful_power();
   const Spectrum after = gathered_power();
-  for (CoarseRow::Entry& entry : result_.coarse.entries) {
-    for (std::size_t i = 0; i < entry.flow.size(); ++i) {
-      const std::size_t b = i % bands_;
-      if (before[b] > 0.0 && after[b] > 0.0) entry.flow[i] *= after[b] / before[b];
+  for (std::size_t b = 0; b < bands_; ++b) {
+    if (before[b] <= 0.0 || after[b] <= 0.0) continue;
+    const double more = after[b] / before[b];
+    result_.returning_power[b] *= more;
+    for (CoarseRow::Entry& entry : result_.coarse.entries) {
+      for (std::size_t i = b; i < entry.flow.size(); i += bands_) entry.flow[i] *= more;
     }
   }
 }
@@ -265,12 +269,6 @@ void Gatherer::push_pull() {
   patches.push_pull(gathered_);
   result_.work.push_pulls += patches.size();
   result_.absorbed_power.assign(bands_, 0.0);
-  result_.returning_power.assign(bands_, 0.0);
-  for (const CoarseRow::Entry& entry : result_.coarse.entries) {
-    for (std::size_t i = 0; i < entry.flow.size(); ++i) {
-      result_.returning_power[i % bands_] += entry.flow[i];
-    }
-  }
   result_.escaping_power.assign(bands_, 0.0);
   const std::size_t zones = result_.coarse.zones = receiver_.zones().size();
   result_.coarse.absorbed.assign(zones * bands_, 0.0);

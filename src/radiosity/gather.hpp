@@ -18,6 +18,7 @@ struct GatherConfig {
   RefinementConfig refinement;
   int iteration = 1;   ///< the receiver is marked with it; shooters marked so are its newer values
   bool refine = true;  ///< false: gather over the links as they are
+  bool coarse_row = true;  ///< false: GatherResult::coarse has no entries
   /// Close the rows: where every ray from a patch ends on a lit front side its form factors must
   /// sum to 1; what is missing goes to its links by how doubtful each is. Wanted once light has
   /// reached everything.

@@ -90,9 +90,9 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
 LinkSide LinkSide::before(const Plane& plane) const {
   LinkSide side = *this;
   side.corners = split(corners, plane, 1e-9 * radius).first;
-  std::vector<Vec2> vertices;
+  PatchOutline vertices;
   for (const Vec3& p : side.corners) vertices.push_back(frame().project(p));
-  if (vertices.size() >= 3) side.shape = PatchShape::from(std::move(vertices));
+  if (vertices.size() >= 3) side.shape = PatchShape::from(vertices);
   return side;
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <boost/container/small_vector.hpp>
+
 #include "base/geometry.hpp"
 #include "base/ids.hpp"
 #include "clusters/cluster.hpp"
@@ -39,14 +41,17 @@ struct PatchCut {
   double at = 0.0;
 };
 
+/// A patch's outline; most are triangles and quads, which take no memory of their own.
+using PatchOutline = boost::container::small_vector<Vec2, 4>;
+
 /// A patch's shape in the frame of its polygon, with its area moments.
 struct PatchShape {
-  std::vector<Vec2> vertices;  ///< counter-clockwise
+  PatchOutline vertices;  ///< counter-clockwise
   Vec2 centroid{0.0};
   double area_m2 = 0.0;
   double cxx = 0.0, cxy = 0.0, cyy = 0.0;  ///< covariance of the area, m2
 
-  static PatchShape from(std::vector<Vec2> vertices);
+  static PatchShape from(const PatchOutline& vertices);
   /// Unit direction of the greatest extent (first principal axis); the frame's own axis where there
   /// is none.
   Vec2 long_axis() const;
@@ -66,12 +71,14 @@ struct PatchShape {
   Vec2 deviations() const;
 };
 
+using BandValues = boost::container::small_vector<double, 3>;
+
 /// A polygon's plane, its axes, and what it does to light.
 struct PolygonFrame {
   SurfaceId surface;
   Vec3 origin{0.0}, u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0}, n{0.0, 0.0, 1.0};
-  std::vector<double> reflectance, exitance;  ///< per band
-  std::vector<MeshLine> lines;                ///< patches are cut along these where they can be
+  BandValues reflectance, exitance;  ///< per band
+  std::vector<MeshLine> lines;       ///< patches are cut along these where they can be
 
   Vec3 at(const Vec2& p) const { return origin + p.x * u + p.y * v; }
   Vec2 project(const Vec3& p) const { return {glm::dot(p - origin, u), glm::dot(p - origin, v)}; }
@@ -135,6 +142,9 @@ class PatchForest {
   void expose_to(std::uint32_t lit_polygons);
   /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
   /// none.
+  /// Per polygon: it gives light. And how many of them do.
+  std::span<const char> lit() const { return lit_; }
+  std::uint32_t lit_polygons() const { return lit_polygons_; }
   bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
   void seal(std::size_t polygon) { sealed_[polygon] = 1; }
 
@@ -168,6 +178,7 @@ class PatchForest {
 
  private:
   friend class ClusterStateCodec;
+  std::size_t add_halves(std::size_t leaf);
   std::span<double> row(std::vector<double>& a, std::size_t i) {
     return {a.data() + i * stride(), stride()};
   }
@@ -183,7 +194,7 @@ class PatchForest {
   std::vector<PatchNode> nodes_;
   std::vector<GroupNode> groups_;
   std::vector<std::uint32_t> order_;
-  void reserve(std::size_t nodes);
+  void find_lit();
   void pull_groups();
   void sum_exitances();
   std::int32_t build_group(std::uint32_t begin, std::uint32_t end);
@@ -192,6 +203,8 @@ class PatchForest {
   std::vector<double> group_radiosity_, group_spread_, group_exitance_;
   std::vector<float> exposure_;
   std::uint32_t exposed_to_ = 0;  ///< lit polygons in view when the exposures were measured
+  std::vector<char> lit_;
+  std::uint32_t lit_polygons_ = 0;
   std::vector<std::uint8_t> sealed_;
 };
 

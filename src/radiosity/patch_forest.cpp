@@ -11,10 +11,10 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
                          int terms)
     : bands_(bands), terms_(terms), frames_(std::move(frames)), order_(frames_.size()) {
   for (std::size_t k = 0; k < frames_.size(); ++k) {
-    std::vector<Vec2> corners;
+    PatchOutline corners;
     for (const Vec3& p : cluster.polygons[k].polygon) corners.push_back(frames_[k].project(p));
     PatchNode node;
-    node.shape = PatchShape::from(std::move(corners));
+    node.shape = PatchShape::from(corners);
     node.id = {static_cast<std::uint32_t>(k), 1};
     nodes_.push_back(std::move(node));
   }
@@ -84,19 +84,12 @@ std::size_t PatchForest::find(PatchId id) const {
   return node;
 }
 
-void PatchForest::reserve(std::size_t nodes) {
-  nodes_.reserve(nodes);
-  for (std::vector<double>* light : {&radiosity_, &irradiance_}) light->reserve(nodes * stride());
-  deviation_.reserve(nodes);
-  exposure_.reserve(nodes);
-}
-
-std::size_t PatchForest::subdivide(std::size_t leaf) {
+/// The nodes alone, without their light; returns the first.
+std::size_t PatchForest::add_halves(std::size_t leaf) {
   ENFILADE_CHECK(nodes_[leaf].leaf(), std::to_string(leaf));
   const std::size_t first = nodes_.size();
-  const PatchShape parent = nodes_[leaf].shape;
-  const PatchCut cut = parent.cut(frames_[nodes_[leaf].id.root].lines);
-  auto halves = parent.halves(cut);
+  const PatchCut cut = nodes_[leaf].shape.cut(frames_[nodes_[leaf].id.root].lines);
+  auto halves = nodes_[leaf].shape.halves(cut);
   nodes_[leaf].split_axis = cut.axis;
   nodes_[leaf].split_at = cut.at;
   nodes_[leaf].first_child = static_cast<std::int32_t>(first);
@@ -105,12 +98,19 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
     child.shape = side == 0 ? std::move(halves.first) : std::move(halves.second);
     child.id = nodes_[leaf].id.child(side);
     child.parent = static_cast<std::int32_t>(leaf);
-    const Vec2 shift = child.shape.centroid - parent.centroid;
     nodes_.push_back(std::move(child));
+  }
+  return first;
+}
+
+std::size_t PatchForest::subdivide(std::size_t leaf) {
+  const std::size_t first = add_halves(leaf);
+  for (std::size_t child = first; child < nodes_.size(); ++child) {
+    const Vec2 shift = nodes_[child].shape.centroid - nodes_[leaf].shape.centroid;
     for (std::vector<double>* light : {&radiosity_, &irradiance_}) {
-      light->resize(nodes_.size() * stride());
+      light->resize((child + 1) * stride());
       const double* from = light->data() + leaf * stride();
-      double* to = light->data() + (nodes_.size() - 1) * stride();
+      double* to = light->data() + child * stride();
       std::copy(from, from + stride(), to);
       if (terms_ == 3) {
         for (int band = 0; band < bands_; ++band) {
@@ -221,7 +221,19 @@ void PatchForest::pull() {
   pull_groups();
 }
 
+void PatchForest::find_lit() {
+  lit_.assign(polygons(), 0);
+  lit_polygons_ = 0;
+  for (std::size_t k = 0; k < polygons(); ++k) {
+    for (std::size_t at = k * stride(); at < (k + 1) * stride();
+         at += static_cast<std::size_t>(terms_))
+      if (radiosity_[at] > 0.0) lit_[k] = 1;
+    lit_polygons_ += static_cast<std::uint32_t>(lit_[k]);
+  }
+}
+
 void PatchForest::pull_groups() {
+  find_lit();
   const auto bands = static_cast<std::size_t>(bands_);
   group_radiosity_.assign(groups_.size() * bands, 0.0);
   group_spread_.assign(groups_.size(), 0.0);

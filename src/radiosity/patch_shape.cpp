@@ -10,8 +10,8 @@ namespace {
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// The parts of a convex polygon where dot(axis, p) is below and above `at`.
-std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& vertices,
-                                                    const Vec2& axis, double at) {
+std::pair<PatchOutline, PatchOutline> cut(const PatchOutline& vertices, const Vec2& axis,
+                                          double at) {
   Vec2 a = vertices.back();
   double side_a = glm::dot(axis, a) - at;
   std::size_t crossings = 0, size_below = 0;
@@ -22,7 +22,8 @@ std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& ver
     if (is_below != was_below) ++crossings;
     was_below = is_below;
   }
-  std::vector<Vec2> below, above;  // as large as they are: there are millions of patches
+  std::pair<PatchOutline, PatchOutline> parts;
+  auto& [below, above] = parts;  // as large as they are: there are millions of patches
   below.reserve(size_below + crossings);
   above.reserve(vertices.size() - size_below + crossings);
   for (const Vec2& b : vertices) {
@@ -36,11 +37,11 @@ std::pair<std::vector<Vec2>, std::vector<Vec2>> cut(const std::vector<Vec2>& ver
     a = b;
     side_a = side_b;
   }
-  return {std::move(below), std::move(above)};
+  return parts;
 }
 
 /// Where the line with dot(axis, p) = at enters a convex polygon and leaves it, along `along`.
-std::pair<double, double> chord(const std::vector<Vec2>& vertices, const Vec2& axis, double at,
+std::pair<double, double> chord(const PatchOutline& vertices, const Vec2& axis, double at,
                                 const Vec2& along) {
   double first = 1e300, last = -1e300;
   Vec2 a = vertices.back();
@@ -58,9 +59,9 @@ std::pair<double, double> chord(const std::vector<Vec2>& vertices, const Vec2& a
 
 }  // namespace
 
-PatchShape PatchShape::from(std::vector<Vec2> vertices) {
+PatchShape PatchShape::from(const PatchOutline& vertices) {
   PatchShape s;
-  s.vertices = std::move(vertices);
+  s.vertices = vertices;
   const Vec2 o = s.vertices.empty() ? Vec2(0.0) : s.vertices.front();
   double area2 = 0.0;
   Vec2 first(0.0);
@@ -155,8 +156,8 @@ PatchCut PatchShape::cut(std::span<const MeshLine> lines) const {
 }
 
 std::pair<PatchShape, PatchShape> PatchShape::halves(const PatchCut& cut) const {
-  auto [below, above] = enfilade::cut(vertices, cut.axis, cut.at);
-  return {from(std::move(below)), from(std::move(above))};
+  const auto [below, above] = enfilade::cut(vertices, cut.axis, cut.at);
+  return {from(below), from(above)};
 }
 
 }  // namespace enfilade

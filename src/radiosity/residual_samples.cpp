@@ -11,7 +11,7 @@ namespace {
 
 /// Even over a convex shape: the triangle of its fan by r1, then r1's rest and r2 within that.
 Vec2 point_in(const PatchShape& shape, double r1, double r2) {
-  const std::vector<Vec2>& v = shape.vertices;
+  const PatchOutline& v = shape.vertices;
   double pick = r1 * shape.area_m2;
   for (std::size_t i = 2; i < v.size(); ++i) {
     const Vec2 a = v[i - 1] - v[0], b = v[i] - v[0];

@@ -19,14 +19,8 @@ void RowClosing::see(const ClusterState& shooter) {
   ENFILADE_CHECK(lit_from_.empty() || lit_from_.back().first < shooter.id(),
                  std::to_string(shooter.id().value));
   lit_from_.emplace_back(shooter.id(), lit_.size());
-  lit_.resize(lit_.size() + patches.polygons(), 0);
-  char* lit = lit_.data() + lit_from_.back().second;
-  for (std::size_t k = 0; k < patches.polygons(); ++k) {
-    for (std::size_t b = 0; b < bands_; ++b) {
-      if (patches.radiosity(k)[b * terms_] > 0.0) lit[k] = 1;
-    }
-    lit_in_view_ += static_cast<std::uint32_t>(lit[k]);
-  }
+  lit_.insert(lit_.end(), patches.lit().begin(), patches.lit().end());
+  lit_in_view_ += patches.lit_polygons();
 }
 
 void RowClosing::add(std::size_t node, double factor, double doubt, std::span<const double> light,

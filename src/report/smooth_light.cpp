@@ -18,7 +18,7 @@ std::size_t leaf_at(const PatchForest& forest, std::uint32_t polygon, const Vec2
   return i;
 }
 
-bool inside(const std::vector<Vec2>& convex, const Vec2& q) {
+bool inside(const PatchOutline& convex, const Vec2& q) {
   for (std::size_t i = 0; i < convex.size(); ++i) {
     const Vec2 &a = convex[i], &b = convex[(i + 1) % convex.size()];
     if ((b.x - a.x) * (q.y - a.y) < (b.y - a.y) * (q.x - a.x)) return false;
@@ -32,7 +32,7 @@ void smooth_irradiance(const PatchForest& forest, std::uint32_t polygon, const V
                        std::span<double> out) {
   constexpr int pairs = 4;
   const PolygonFrame& frame = forest.frames()[polygon];
-  const std::vector<Vec2>& border = forest.node(polygon).shape.vertices;
+  const PatchOutline& border = forest.node(polygon).shape.vertices;
   const Vec2 q = frame.project(p);
   const double reach_m = 0.6 * std::sqrt(forest.node(leaf_at(forest, polygon, q)).shape.area_m2);
   forest.evaluate(false, polygon, p, out);

@@ -11,12 +11,12 @@
 namespace enfilade {
 namespace {
 
-const std::vector<Vec2> pentagon{{0, 0}, {3, 0.2}, {3.5, 1.5}, {1.7, 2.4}, {-0.3, 1.1}};
+const PatchOutline pentagon{{0, 0}, {3, 0.2}, {3.5, 1.5}, {1.7, 2.4}, {-0.3, 1.1}};
 
 /// Integral of f over a polygon by a fine fan of midpoint triangles: an independent answer for
 /// moments.
 template <class F>
-double integral(const std::vector<Vec2>& p, F f) {
+double integral(const PatchOutline& p, F f) {
   double sum = 0.0;
   const int n = 400;
   for (std::size_t i = 2; i < p.size(); ++i) {
