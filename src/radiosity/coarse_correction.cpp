@@ -195,8 +195,10 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
   return columns;
 }
 
-/// BiCGSTAB (van der Vorst 1992) with the unknowns' power as preconditioner, for x = z - 1:
-/// P_c x_c - sum f'_cd x_d = sum (f'_cd - f_cd).
+/// BiCGSTAB (van der Vorst 1992) for the power that is missing, y = P (z - 1):
+/// y_c - sum f'_cd / P_d y_d = sum (f'_cd - f_cd).
+/// No column sums to more than is reflected, so that all of y is bounded by what changed, however
+/// little light an unknown has; in z itself, one in the dark would drown the others.
 std::vector<double> CoarseSystem::solve_band(const CoarseUnknowns& unknowns,
                                              std::size_t band) const {
   const std::size_t n = unknowns_;
@@ -205,15 +207,12 @@ std::vector<double> CoarseSystem::solve_band(const CoarseUnknowns& unknowns,
     const Column& from = columns[c.column];
     return from.fresh * c.fresh[band] + from.growth * from.stale * c.stale[band];
   };
-  const auto power = [&](std::size_t i) {
-    const double p = after_[i * bands_ + band];
-    return p > 0.0 ? p : 1.0;
-  };
+  const auto power = [&](std::size_t i) { return after_[i * bands_ + band]; };
   const auto apply = [&](const std::vector<double>& x) {
     std::vector<double> y(x);
     for (std::size_t i = 0; i < n; ++i) {
       for (const Coupling& c : rows_[i]) {
-        y[i] -= flow(c) * x[c.column] / power(i);
+        if (power(c.column) > 0.0) y[i] -= flow(c) / power(c.column) * x[c.column];
       }
     }
     return y;
@@ -223,10 +222,10 @@ std::vector<double> CoarseSystem::solve_band(const CoarseUnknowns& unknowns,
   };
   std::vector<double> r(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
-    if (after_[i * bands_ + band] <= 0.0) continue;
+    if (power(i) <= 0.0) continue;
     for (const Coupling& c : rows_[i]) {
       const Column& from = columns[c.column];
-      r[i] += from.stale * (from.growth - 1.0) * c.stale[band] / power(i);
+      r[i] += from.stale * (from.growth - 1.0) * c.stale[band];
     }
   }
   std::vector<double> x(n, 0.0), p(n, 0.0), v(n, 0.0);
@@ -255,7 +254,9 @@ std::vector<double> CoarseSystem::solve_band(const CoarseUnknowns& unknowns,
     }
   }
   if (std::sqrt(dot(r, r)) > 0.1 * start) return std::vector<double>(n, 0.0);  // do without
-  for (double& change : x) change = std::max(change, -1.0);  // light is never negative
+  for (std::size_t i = 0; i < n; ++i) {  // light is never negative
+    x[i] = power(i) > 0.0 ? std::max(x[i] / power(i), -1.0) : 0.0;
+  }
   return x;
 }
 

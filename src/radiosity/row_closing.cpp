@@ -29,7 +29,8 @@ void RowClosing::add(std::size_t node, double factor, double doubt, std::span<co
   double* to = row(node);
   to[0] += factor;
   to[terms_] += doubt;
-  const double top = *std::max_element(light.begin(), light.end());
+  double top = 0.0;  // light is below zero in places, by the links' errors
+  for (const double l : light) top = std::max(top, std::abs(l));
   const double varies = top > 0.0 ? doubt_of_variation / top : 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
     to[terms_ + 1 + b] += doubt * light[b];
@@ -131,9 +132,11 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
     // against the other. A row without an opening sums to 1.
     const double doubt = 0.5 * has[terms_];
     const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
-    const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
+    double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
     // What else is missing comes from where no light is seen, as between panels that nearly touch.
-    const double missing = std::min(gain * (target - has[0]), has[terms_]);
+    const double lacks = std::abs(gain * (target - has[0]));
+    if (lacks > has[terms_]) gain *= has[terms_] / lacks;
+    const double missing = gain * (target - has[0]);
     for (std::size_t b = 0; b < bands_; ++b) {
       double* to = gathered.data() + n * stride + b * terms_;
       const double light = has[terms_ + 1 + b] / has[terms_];

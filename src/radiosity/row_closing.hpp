@@ -12,7 +12,7 @@ namespace enfilade {
 /// Sums the rows of one receiving cluster while its light is gathered, then gives each leaf what
 /// its row lacks (or has too much) of the share that it must sum to: 1 where every ray from the
 /// patch ends on a lit front side, else what exposure rays say, weighed against the links' doubt.
-/// No more is added than that doubt.
+/// No more is added or taken away than that doubt.
 class RowClosing {
  public:
   explicit RowClosing(ClusterState& receiver);

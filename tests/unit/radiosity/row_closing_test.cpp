@@ -36,8 +36,32 @@ TEST(RowClosing, GivesARowWhatItLacks) {
 
 /// A face that nearly touches another sees next to nothing else: the lamp whose light comes through
 /// the gap is not all around it.
-TEST(RowClosing, AddsNoMoreThanTheLinksMayBeWrongBy) {
+TEST(RowClosing, ChangesNoMoreThanTheLinksMayBeWrongBy) {
   EXPECT_NEAR(added(0.02f, 0.006f), 0.006, 1e-6);
+  EXPECT_NEAR(added(2.0f, 0.006f), -0.006, 1e-6);
+}
+
+/// Links' errors make light negative here and there; one band's variation must not be weighed by
+/// the light of another that has next to none.
+TEST(RowClosing, DoubtfulLightOfOneBandIsBoundedByItsOwn) {
+  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5, 0.5}, {1.0, 1.0});
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  std::vector<ClusterState> states;
+  for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
+  RowClosing closing(states[0]);
+  for (const ClusterState& s : states) closing.see(s);
+  Link link;
+  link.shooter_cluster = ClusterId(1u);
+  link.shooter = link.receiver = {0, 1};
+  link.variation = 16.0f;  // the floor's area
+  const float share = 1.0f;
+  const std::vector<double> light{-1000.0, 1e-3};
+  closing.add(link, std::span(&share, 1), light, 500.0);
+  WorkCount work;
+  std::vector<double> gathered(2, 0.0);
+  closing.close(occluders, {}, work, gathered);
+  EXPECT_NEAR(closing.doubtful_power()[0], -16.0 * 500.0, 1e-6);
 }
 
 }  // namespace
