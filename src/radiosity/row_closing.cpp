@@ -106,6 +106,38 @@ void RowClosing::push() {
   }
 }
 
+/// Per node and band: what was gathered there and above it, in the mean.
+std::vector<double> RowClosing::arrived_in_all(std::span<const double> gathered) const {
+  const PatchForest& patches = receiver_.patches();
+  std::vector<double> all(gathered.begin(), gathered.end()), means(patches.size() * bands_);
+  const std::size_t stride = bands_ * terms_;
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const PatchNode& node = patches.node(n);
+    for (std::size_t b = 0; b < bands_; ++b) means[n * bands_ + b] = all[n * stride + b * terms_];
+    if (node.leaf()) continue;
+    for (int side = 0; side < 2; ++side) {
+      const auto c = static_cast<std::size_t>(node.first_child + side);
+      const Vec2 shift = patches.node(c).shape.centroid - node.shape.centroid;
+      for (std::size_t t = 0; t < stride; ++t) all[c * stride + t] += all[n * stride + t];
+      for (std::size_t t = 0; t < stride && terms_ == 3; t += 3) {
+        all[c * stride + t] +=
+            all[n * stride + t + 1] * shift.x + all[n * stride + t + 2] * shift.y;
+      }
+    }
+  }
+  return means;
+}
+
+/// The radiosity of a leaf that sees itself, so to say, in `unseen` of its row: what is missing
+/// beyond the links' doubt is no light that they know of, as between panels that nearly touch.
+double RowClosing::own_light(std::size_t leaf, std::size_t band, double unseen,
+                             double arrived) const {
+  const PolygonFrame& frame = receiver_.patches().frames()[receiver_.patches().node(leaf).id.root];
+  const double rho = frame.reflectance[band];
+  return (rho * std::max(0.0, arrived) + frame.exitance[band]) /
+         (1.0 - rho * std::min(unseen, 1.0));
+}
+
 void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCount& work,
                        std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
@@ -116,6 +148,7 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
   const int rings = std::max(4, static_cast<int>(std::sqrt(128.0 / static_cast<double>(leaves))));
   const std::vector<char> open = find_openings(rings, occluders, work);
   const std::size_t stride = bands_ * terms_;
+  const std::vector<double> arrived = arrived_in_all(gathered);
   const double rays = 4.0 * rings * rings;
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -132,15 +165,17 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
     // against the other. A row without an opening sums to 1.
     const double doubt = 0.5 * has[terms_];
     const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
-    double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
-    // What else is missing comes from where no light is seen, as between panels that nearly touch.
-    const double lacks = std::abs(gain * (target - has[0]));
-    if (lacks > has[terms_]) gain *= has[terms_] / lacks;
+    const double gain = open[node.id.root] ? doubt * doubt / (doubt * doubt + blur) : 1.0;
     const double missing = gain * (target - has[0]);
+    const double unseen = std::max(0.0, missing - has[terms_]);
     for (std::size_t b = 0; b < bands_; ++b) {
       double* to = gathered.data() + n * stride + b * terms_;
       const double light = has[terms_ + 1 + b] / has[terms_];
-      to[0] += missing * light;
+      to[0] += (missing - unseen) * light;
+      if (unseen > 0.0)
+        to[0] += unseen *
+                 std::min(light, own_light(n, b, unseen,
+                                           arrived[n * bands_ + b] + (missing - unseen) * light));
       if (terms_ == 3) {
         to[1] -= gain * has[1] * light;
         to[2] -= gain * has[2] * light;

@@ -12,7 +12,7 @@ namespace enfilade {
 /// Sums the rows of one receiving cluster while its light is gathered, then gives each leaf what
 /// its row lacks (or has too much) of the share that it must sum to: 1 where every ray from the
 /// patch ends on a lit front side, else what exposure rays say, weighed against the links' doubt.
-/// No more is added or taken away than that doubt.
+/// What it lacks beyond that doubt is as dark as the leaf itself, if that is darker.
 class RowClosing {
  public:
   explicit RowClosing(ClusterState& receiver);
@@ -37,6 +37,8 @@ class RowClosing {
   /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
   void push();
+  std::vector<double> arrived_in_all(std::span<const double> gathered) const;
+  double own_light(std::size_t leaf, std::size_t band, double unseen, double arrived) const;
 
   ClusterState& receiver_;
   std::size_t bands_, terms_, width_;
