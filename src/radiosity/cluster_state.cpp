@@ -154,7 +154,7 @@ class ClusterStateCodec {
            (f.radiosity_.capacity() + f.irradiance_.capacity() + f.deviation_.capacity()) *
                sizeof(double) +
            f.frames_.size() * (sizeof(PolygonFrame) + in_frames) +
-           f.groups_.size() * (sizeof(GroupNode) + sizeof(double) * 2 * bands + 1);
+           f.groups_.size() * (sizeof(GroupNode) + sizeof(double) * (2 * bands + 1));
   }
   static std::size_t bytes(const LinkSet& l) {
     return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);

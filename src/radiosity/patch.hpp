@@ -140,11 +140,11 @@ class PatchForest {
   /// one in 256. Fewer lit polygons leave them as they are, else light that flickers about zero
   /// would have them measured again for ever.
   void expose_to(std::uint32_t lit_polygons);
-  /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
-  /// none.
   /// Per polygon: it gives light. And how many of them do.
   std::span<const char> lit() const { return lit_; }
   std::uint32_t lit_polygons() const { return lit_polygons_; }
+  /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
+  /// none.
   bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
   void seal(std::size_t polygon) { sealed_[polygon] = 1; }
 

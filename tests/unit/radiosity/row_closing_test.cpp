@@ -7,10 +7,14 @@
 namespace enfilade {
 namespace {
 
-/// The floor of a closed, glowing room has one link, with a share of its row and a doubt. What
-/// closing its row adds, per m2 and unit of the link's light:
-double added(float share, float doubt) {
-  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5}, {1.0});
+/// The floor of a closed, glowing room, 16 m2, has one link, to the ceiling.
+struct Closed {
+  std::vector<double> gathered;  ///< by closing its row alone, per band
+  Spectrum doubtful_power;
+};
+Closed closed(float share, float doubt, const std::vector<double>& light, double variation) {
+  const Spectrum grey(light.size(), 0.5), glow(light.size(), 1.0);
+  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, grey, glow);
   const std::vector<Cluster> clusters = testing::clusters_of(scene);
   const Occluders occluders(clusters);
   std::vector<ClusterState> states;
@@ -20,13 +24,18 @@ double added(float share, float doubt) {
   Link link;
   link.shooter_cluster = ClusterId(1u);
   link.shooter = link.receiver = {0, 1};
-  link.error = doubt * 16.0f;  // times the floor's area
-  const double light = 800.0;
-  closing.add(link, std::span(&share, 1), std::span(&light, 1), 0.0);
+  link.error = doubt * 16.0f;
+  link.variation = 16.0f;
+  closing.add(link, std::span(&share, 1), light, variation);
   WorkCount work;
-  std::vector<double> gathered(1, 0.0);
-  closing.close(occluders, {}, work, gathered);
-  return gathered[0] / light;
+  Closed result{std::vector<double>(light.size(), 0.0), {}};
+  closing.close(occluders, {}, work, result.gathered);
+  result.doubtful_power = closing.doubtful_power();
+  return result;
+}
+
+double added(float share, float doubt) {
+  return closed(share, doubt, {800.0}, 0.0).gathered[0] / 800.0;
 }
 
 TEST(RowClosing, GivesARowWhatItLacks) {
@@ -45,24 +54,7 @@ TEST(RowClosing, AddsNoMoreOfTheirLightThanTheLinksMayBeWrongBy) {
 /// Links' errors make light negative here and there; one band's variation must not be weighed by
 /// the light of another that has next to none.
 TEST(RowClosing, DoubtfulLightOfOneBandIsBoundedByItsOwn) {
-  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, {0.5, 0.5}, {1.0, 1.0});
-  const std::vector<Cluster> clusters = testing::clusters_of(scene);
-  const Occluders occluders(clusters);
-  std::vector<ClusterState> states;
-  for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
-  RowClosing closing(states[0]);
-  for (const ClusterState& s : states) closing.see(s);
-  Link link;
-  link.shooter_cluster = ClusterId(1u);
-  link.shooter = link.receiver = {0, 1};
-  link.variation = 16.0f;  // the floor's area
-  const float share = 1.0f;
-  const std::vector<double> light{-1000.0, 1e-3};
-  closing.add(link, std::span(&share, 1), light, 500.0);
-  WorkCount work;
-  std::vector<double> gathered(2, 0.0);
-  closing.close(occluders, {}, work, gathered);
-  EXPECT_NEAR(closing.doubtful_power()[0], -16.0 * 500.0, 1e-6);
+  EXPECT_NEAR(closed(1.0f, 0.0f, {-1000.0, 1e-3}, 500.0).doubtful_power[0], -16.0 * 500.0, 1e-6);
 }
 
 }  // namespace
