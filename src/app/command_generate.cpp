@@ -50,6 +50,11 @@ void run_generate(const GenerateOptions& options, Session& session) {
   table.add("surfaces", with_thousands(counts.surfaces));
   table.add("lights", with_thousands(counts.lights));
   session.console().print(table.text());
+  if (counts.lights == 0) {
+    Warnings warnings;
+    warnings.add("furniture", "the building is dark; add lamps, such as --furniture lamp=60");
+    session.console().warnings(warnings);
+  }
 }
 
 void add_change(CLI::App& sub, const std::shared_ptr<GenerateOptions>& options, const char* key,

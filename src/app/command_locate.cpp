@@ -22,16 +22,21 @@ void run_locate(const LocateOptions& options, Session& session) {
   check_output_file(options.output);
   const Prepared prepared = load_prepared(options.run);
   nlohmann::json cells = nlohmann::json::array();
-  std::size_t outside = 0;
+  std::size_t outside = 0, none = 0;
   for (const Vec3& p : read_points(options.points)) {
     const CellId cell = prepared.cells.locate(p);
     cells.push_back(cell.valid() ? static_cast<std::int64_t>(cell.value) : -1);
-    if (!cell.valid()) ++outside;
+    if (!cell.valid()) {
+      ++none;
+    } else if (prepared.cells.cells()[cell.index()].kind == CellKind::outside) {
+      ++outside;
+    }
   }
   write_file_atomically(options.output, nlohmann::json{{"cells", cells}}.dump() + "\n");
   TextTable table(options.output);
   table.add("points", with_thousands(cells.size()));
-  table.add("in no cell", with_thousands(outside));
+  table.add("outside", with_thousands(outside));
+  table.add("in no cell", with_thousands(none));
   session.console().print(table.text());
 }
 
@@ -50,7 +55,8 @@ void add_locate(CLI::App& cli, Command& chosen) {
       "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
       "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
       "...]}.\n"
-      "The answers stand in the points' order; -1 is a point that lies in no cell.");
+      "The answers stand in the points' order; the outside is a cell as well, and -1 is the inside "
+      "of a solid.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_locate(*options, session); }};
   });

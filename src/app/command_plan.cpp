@@ -101,7 +101,7 @@ CellId chosen_cell(const std::string& text, const CellComplex& complex) {
                       numbers[0] == std::floor(numbers[0]);
   if (!number) {
     throw wrong("--visible-from", "'" + text + "' is no cell of this run",
-                fmt::format("name one of {}, or a point X,Y,Z", rooms_of(complex)));
+                fmt::format("name a cell, such as {}, or a point X,Y,Z", rooms_of(complex)));
   }
   const auto cell = static_cast<std::size_t>(numbers[0]);
   if (complex.cells()[cell].kind == CellKind::solid) {

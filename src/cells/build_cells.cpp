@@ -23,12 +23,7 @@ constexpr std::uint32_t no_cell = CellId::none_value;
 std::vector<char> find_touching(const std::vector<Region>& leaves, const Region& box) {
   std::vector<char> touching;
   for (const Region& leaf : leaves) {
-    const bool touches = std::any_of(leaf.facets.begin(), leaf.facets.end(), [&](const Facet& f) {
-      return std::any_of(box.facets.begin(), box.facets.end(), [&](const Facet& side) {
-        return side.plane.n == f.plane.n && side.plane.d == f.plane.d;
-      });
-    });
-    touching.push_back(touches ? 1 : 0);
+    touching.push_back(largest_on_border(leaf, box) != nullptr ? 1 : 0);
   }
   return touching;
 }
@@ -220,7 +215,7 @@ CellComplex build(std::span<const Piece> given, const CellComplex::Config& confi
       build_portals(interfaces, groups.group_of_leaf, planes.planes, tolerance_m);
 
   std::vector<Leak> found;
-  if (leaks != nullptr) found = find_leaks(space, cutter, portals, touches, groups.lost);
+  if (leaks != nullptr) found = find_leaks(space, cutter, portals, outer_box, touches, groups.lost);
   const CellComplex all(cells, portals, with_cells(tree, groups.group_of_leaf), tolerance_m);
   const std::vector<std::uint32_t> number = drop_useless(pieces, all, portals);
   std::vector<Cell> kept;
@@ -230,7 +225,7 @@ CellComplex build(std::span<const Piece> given, const CellComplex::Config& confi
     kept.back().id = CellId(kept.size() - 1);
   }
   // Nothing encloses anything: the scene is one room, wherever a point lies.
-  if (kept.size() == 1 && kept[0].kind == CellKind::outside) return one_cell(box, tolerance_m);
+  const bool is_one_room = kept.size() == 1 && kept[0].kind == CellKind::outside;
   for (std::size_t i = 0; i < portals.size(); ++i) {
     portals[i].id = PortalId(i);
     portals[i].a = CellId(number[portals[i].a.index()]);
@@ -239,9 +234,11 @@ CellComplex build(std::span<const Piece> given, const CellComplex::Config& confi
   for (Leak& leak : found) {
     if (number[leak.cell.index()] == no_cell) continue;
     leak.cell = CellId(number[leak.cell.index()]);
+    if (is_one_room) leak.kind = LeakKind::open_side;
     for (Vec3& p : leak.path) p = own.out(p);
     leaks->push_back(std::move(leak));
   }
+  if (is_one_room) return one_cell(box, tolerance_m);
   std::vector<std::uint32_t> cell_of_leaf;
   for (const std::uint32_t group : groups.group_of_leaf) cell_of_leaf.push_back(number[group]);
   return {std::move(kept), own.out(std::move(portals)), own.out(with_cells(tree, cell_of_leaf)),

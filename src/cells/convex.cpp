@@ -116,6 +116,21 @@ std::pair<Region, Region> split_region(const Region& region, const Plane& plane,
   return parts;
 }
 
+const Facet* largest_on_border(const Region& part, const Region& whole) {
+  const Facet* largest = nullptr;
+  double most = 0.0;
+  for (const Facet& facet : part.facets) {
+    const bool is_on_border = std::ranges::any_of(whole.facets, [&](const Facet& side) {
+      return side.plane.n == facet.plane.n && side.plane.d == facet.plane.d;
+    });
+    const double area = area_m2(facet.polygon);
+    if (!is_on_border || (largest != nullptr && area <= most)) continue;
+    most = area;
+    largest = &facet;
+  }
+  return largest;
+}
+
 double volume_m3(const Region& region) {
   if (region.facets.empty()) return 0.0;
   const Vec3 origin = region.facets[0].polygon[0];

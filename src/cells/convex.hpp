@@ -36,6 +36,9 @@ Polygon cross_section(const Region& region, const Plane& plane);
 std::pair<Region, Region> split_region(const Region& region, const Plane& plane,
                                        const Polygon& section);
 
+/// The largest facet of `part` that lies in a side of `whole`; none where it touches none.
+const Facet* largest_on_border(const Region& part, const Region& whole);
+
 double volume_m3(const Region& region);
 Box bounds(const Region& region);
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <queue>
-#include <tuple>
 
 namespace enfilade {
 namespace {
@@ -38,17 +37,28 @@ double width_of(const Polygon& polygon) {
   return least;
 }
 
+double perimeter_of(const Polygon& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    sum += glm::distance(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return sum;
+}
+
 class LeakFinder {
  public:
   LeakFinder(const CutSpace& space, const LeafCutter& cutter, std::span<const Portal> portals,
-             std::span<const char> touches, const LeakConfig& config)
-      : space_(space), cutter_(cutter), portals_(portals), touches_(touches), config_(config) {
+             const Region& border, std::span<const char> touches, const LeakConfig& config)
+      : space_(space),
+        cutter_(cutter),
+        portals_(portals),
+        border_(border),
+        touches_(touches),
+        config_(config) {
     for (const LeafInterface& face : space.interfaces) {
       const std::uint32_t a = space.groups.group_of_leaf[face.front_leaf];
       const std::uint32_t b = space.groups.group_of_leaf[face.back_leaf];
-      auto& [open, framed] = framing_[{a, b, face.plane}];
-      open += face.open_m2;
-      framed += face.framed_m2;
+      if (a != b && !face.openings.empty()) faces_between_[{a, b}].push_back(&face);
     }
   }
 
@@ -65,22 +75,38 @@ class LeakFinder {
     std::vector<Leak> found;
     for (const auto& [key, portal] : worst) {
       const CellId room(key.first);
-      found.push_back({key.second, room, area_m2(portal->polygon), width_of(portal->polygon),
-                       path_through(*portal, room)});
+      const Opening opening = opening_of(*portal);
+      found.push_back(
+          {key.second, room, opening.open_m2, opening.width_m, path_through(*portal, room)});
     }
     std::vector<std::uint32_t> all_lost(lost.begin(), lost.end());
     for (const std::uint32_t leaf : enclosed_at_border()) all_lost.push_back(leaf);
-    for (const std::uint32_t leaf : all_lost) {
-      std::vector<Vec3> path{middle_of(space_.tree.leaves[leaf])};
-      walk_out(leaf, path);
-      if (path.back() == path.front()) path.pop_back();  // it is outside itself
-      found.push_back({LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0,
-                       std::move(path)});
-    }
+    for (const std::uint32_t leaf : all_lost) found.push_back(lost_room(leaf));
     return found;
   }
 
  private:
+  /// What is open within a portal, of which that is the hull.
+  struct Opening {
+    double open_m2 = 0.0;
+    double width_m = 0.0;  ///< a ring's: of its parts
+    double framed = 0.0;   ///< share of what is open in its plane that is framed like a door
+  };
+
+  Leak lost_room(std::uint32_t leaf) const {
+    Leak leak{LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0, {}};
+    leak.path.push_back(middle_of(space_.tree.leaves[leaf]));
+    const Facet* missing = largest_on_border(space_.tree.leaves[leaf], border_);
+    if (missing == nullptr) {
+      walk_out(leaf, leak.path);
+      return leak;
+    }
+    leak.area_m2 = area_m2(missing->polygon);
+    leak.width_m = width_of(missing->polygon);
+    leak.path.push_back(centroid(missing->polygon));
+    return leak;
+  }
+
   /// Leaves at the border, outside therefore, that are rooms but for a wall; of those that lie next
   /// to each other the first.
   std::vector<std::uint32_t> enclosed_at_border() const {
@@ -134,33 +160,47 @@ class LeakFinder {
   bool is_beside_window(const Portal& gap, std::uint32_t room,
                         const std::vector<const Portal*>& others) const {
     const Box box = bounds(gap.polygon);
-    const double near_m = 0.05 * std::cbrt(volume(room));
+    const double near_m = 0.05 * std::cbrt(volume(room)), width_m = opening_of(gap).width_m;
     return std::ranges::any_of(others, [&](const Portal* other) {
-      return width_of(other->polygon) > 2.0 * width_of(gap.polygon) &&
+      return opening_of(*other).width_m > 2.0 * width_m &&
              bounds(other->polygon).overlaps(box, near_m) && kind_of(*other, room) != LeakKind::gap;
     });
   }
 
   CellKind kind(CellId cell) const { return space_.groups.kinds[cell.index()]; }
 
-  std::optional<LeakKind> kind_of(const Portal& portal, std::uint32_t room) const {
-    const double size_m = std::cbrt(volume(room)), area = area_m2(portal.polygon);
-    const double width_m = width_of(portal.polygon);
-    if (width_m <= 2.0 * space_.tolerance_m) return std::nullopt;  // as planes are told apart
-    if (width_m < config_.gap_share * size_m) return LeakKind::gap;
-    if (area < config_.side_share * size_m * size_m) return std::nullopt;
+  Opening opening_of(const Portal& portal) const {
+    const Box box = bounds(portal.polygon);
     const Plane plane = plane_of(portal.polygon);
+    Opening opening;
     double open = 0.0, framed = 0.0;
-    for (const auto& [key, areas] : framing_) {
-      const auto& [a, b, number] = key;
-      if (a != portal.a.value || b != portal.b.value) continue;
-      const Plane& other = space_.planes.planes[number];
+    for (const LeafInterface* face : faces_between_.at({portal.a.value, portal.b.value})) {
+      const Plane& other = space_.planes.planes[face->plane];
       if (std::abs(glm::dot(other.n, plane.n)) < 1.0 - 1e-9) continue;
       if (std::abs(other.signed_distance(portal.polygon[0])) > space_.tolerance_m) continue;
-      open += areas.first;
-      framed += areas.second;
+      open += face->open_m2;
+      framed += face->framed_m2;
+      for (const Polygon& part : face->openings) {
+        if (box.overlaps(bounds(part))) opening.open_m2 += area_m2(part);
+      }
     }
-    if (framed < config_.framed_share * open) return LeakKind::open_side;
+    opening.framed = open > 0.0 ? framed / open : 0.0;
+    opening.width_m = width_of(portal.polygon);
+    if (2.0 * opening.open_m2 < area_m2(portal.polygon)) {
+      opening.width_m = std::min(opening.width_m, opening.open_m2 / perimeter_of(portal.polygon));
+    }
+    return opening;
+  }
+
+  std::optional<LeakKind> kind_of(const Portal& portal, std::uint32_t room) const {
+    const double size_m = std::cbrt(volume(room));
+    const Opening opening = opening_of(portal);
+    if (opening.width_m <= 2.0 * space_.tolerance_m)
+      return std::nullopt;  // as planes are told apart
+    if (opening.width_m < config_.gap_share * size_m) return LeakKind::gap;
+    const double area = area_m2(portal.polygon);
+    if (area < config_.side_share * size_m * size_m) return std::nullopt;
+    if (opening.framed < config_.framed_share) return LeakKind::open_side;
     return std::nullopt;
   }
 
@@ -235,11 +275,12 @@ class LeakFinder {
   const CutSpace& space_;
   const LeafCutter& cutter_;
   std::span<const Portal> portals_;
+  const Region& border_;
   std::span<const char> touches_;
   LeakConfig config_;
-  /// Open and framed area, m2, by group in front, group behind and plane.
-  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::pair<double, double>>
-      framing_;
+  /// With openings, by group in front and group behind.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<const LeafInterface*>>
+      faces_between_;
   mutable std::map<std::uint32_t, double> volumes_;
 };
 
@@ -258,9 +299,10 @@ const char* name_of(LeakKind kind) {
 }
 
 std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,
-                             std::span<const Portal> portals, std::span<const char> touches,
-                             std::span<const std::uint32_t> lost, const LeakConfig& config) {
-  return LeakFinder(space, cutter, portals, touches, config).run(lost);
+                             std::span<const Portal> portals, const Region& border,
+                             std::span<const char> touches, std::span<const std::uint32_t> lost,
+                             const LeakConfig& config) {
+  return LeakFinder(space, cutter, portals, border, touches, config).run(lost);
 }
 
 }  // namespace enfilade

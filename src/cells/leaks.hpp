@@ -20,8 +20,8 @@ const char* name_of(LeakKind kind);
 struct Leak {
   LeakKind kind = LeakKind::gap;
   CellId cell;             ///< that leaks; the outside's for a lost room
-  double area_m2 = 0.0;    ///< of the opening (0 for a lost room)
-  double width_m = 0.0;    ///< its smallest width (likewise)
+  double area_m2 = 0.0;    ///< of the opening (0 for a lost room that is open in several places)
+  double width_m = 0.0;    ///< its smallest width, of a ring's its parts' (likewise)
   std::vector<Vec3> path;  ///< from inside through the opening to the open
 };
 
@@ -42,10 +42,11 @@ struct LeakConfig {
 CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config,
                         std::vector<Leak>& leaks);
 
-/// The leaks of cut groups, whose numbers stand for cells. `portals` are theirs, `touches` tells
-/// the leaves at the border of the scene's box, `lost` are leaves of rooms that became outside.
+/// The leaks of cut groups, whose numbers stand for cells. `portals` are theirs, `border` is the
+/// scene's box, `touches` tells the leaves at it, `lost` are leaves of rooms that became outside.
 std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,
-                             std::span<const Portal> portals, std::span<const char> touches,
-                             std::span<const std::uint32_t> lost, const LeakConfig& config = {});
+                             std::span<const Portal> portals, const Region& border,
+                             std::span<const char> touches, std::span<const std::uint32_t> lost,
+                             const LeakConfig& config = {});
 
 }  // namespace enfilade

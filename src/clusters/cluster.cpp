@@ -11,17 +11,22 @@ namespace enfilade {
 namespace {
 
 constexpr double coplanar_relative = 1e-5;  // of the cell's diagonal
+constexpr double rounding = 1e-9;           // a building that is turned gets the same clusters
 
 // The pieces of one cell, and how they are dealt out.
 class CellClusters {
  public:
-  CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces,
+  CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces, const Frame& own,
                const ClusterConfig& config)
       : scene_(scene), config_(config), pieces_(std::move(pieces)) {
+    turned_.reserve(pieces_.size());
     for (const CellPiece* piece : pieces_) {
-      polygons_.push_back(&piece->piece.polygon);
-      box_.add(bounds(piece->piece.polygon));
+      Polygon polygon = piece->piece.polygon;
+      for (Vec3& p : polygon) p = {glm::dot(own[1], p), glm::dot(own[2], p), glm::dot(own[0], p)};
+      box_.add(bounds(polygon));
+      turned_.push_back(std::move(polygon));
     }
+    for (const Polygon& polygon : turned_) polygons_.push_back(&polygon);
     max_extent_m_ = config.max_extent_share * box_.diagonal();
   }
 
@@ -56,7 +61,7 @@ class CellClusters {
 
   // Walls, floors, ceilings: a cluster that mixes them with each other would see everything.
   Group take_large() {
-    const double long_m = config_.large_share * box_.diagonal();
+    const double long_m = (1.0 - rounding) * config_.large_share * box_.diagonal();
     const double tolerance_m = coplanar_relative * box_.diagonal();
     struct Face {
       std::string object;
@@ -131,6 +136,7 @@ class CellClusters {
   const Scene& scene_;
   const ClusterConfig& config_;
   std::vector<const CellPiece*> pieces_;
+  std::vector<Polygon> turned_;  ///< into the building's own frame, upwards last
   std::vector<const Polygon*> polygons_;
   Box box_;
   double max_extent_m_ = 0.0;
@@ -140,13 +146,13 @@ class CellClusters {
 }  // namespace
 
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
-                                    const ClusterConfig& config) {
+                                    const ClusterConfig& config, const Frame& own) {
   // Sealed pieces by themselves: a cluster of both would be linked for the lit ones' sake.
   std::map<std::pair<CellId, bool>, std::vector<const CellPiece*>> groups;
   for (const CellPiece& piece : pieces) groups[{piece.cell, piece.sealed}].push_back(&piece);
   std::vector<Cluster> clusters;
   for (auto& [key, members] : groups) {
-    for (Cluster& cluster : CellClusters(scene, std::move(members), config).build()) {
+    for (Cluster& cluster : CellClusters(scene, std::move(members), own, config).build()) {
       cluster.id = ClusterId(clusters.size());
       clusters.push_back(std::move(cluster));
     }

@@ -8,6 +8,7 @@
 
 #include "base/ids.hpp"
 #include "cells/cell_complex.hpp"
+#include "cells/convex.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -46,9 +47,12 @@ struct ContactConfig {
 /// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of
 /// their object and plane, then the file's objects, then what hangs together, then what lies close.
 /// Ids go by cell, lit before sealed, then by position. Every cluster lies in one cell and is all
-/// lit or all sealed, every cell piece is in exactly one cluster.
+/// lit or all sealed, every cell piece is in exactly one cluster. Sizes are measured along `own`,
+/// the building's frame as dominant_frame gives it.
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
-                                    const ClusterConfig& config);
+                                    const ClusterConfig& config,
+                                    const Frame& own = {Vec3(0, 0, 1), Vec3(1, 0, 0),
+                                                        Vec3(0, 1, 0)});
 
 /// The clusters as they are kept in a run's directory (versioned, in this machine's byte order).
 std::string to_bytes(std::span<const Cluster> clusters);

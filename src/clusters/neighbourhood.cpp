@@ -57,14 +57,19 @@ std::vector<Group> split_by_position(std::span<const Polygon* const> polygons, G
     jobs.pop_back();
     Box box;
     for (const std::size_t i : job) box.add(bounds(*polygons[i]));
+    // What is equal but for rounding is taken as equal: the order that follows is the file's.
     const Vec3 e = box.extent();
-    const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
-    const bool too_long = max_extent_m > 0.0 && e[axis] > max_extent_m;
+    const double widest = (1.0 - 1e-9) * std::max({e.x, e.y, e.z});
+    const int axis = e.x >= widest ? 0 : e.y >= widest ? 1 : 2;
+    const bool too_long = max_extent_m > 0.0 && e[axis] > (1.0 + 1e-9) * max_extent_m;
     if (job.size() <= 1 || (job.size() <= max_size && !too_long)) {
       done.push_back(std::move(job));
       continue;
     }
-    const auto along = [&](std::size_t i) { return bounds(*polygons[i]).center()[axis]; };
+    const auto along = [&](std::size_t i) {
+      const double share = (bounds(*polygons[i]).center()[axis] - box.lo[axis]) / e[axis];
+      return std::floor(1e6 * share + 0.3);  // no fraction of small numbers lies on a border
+    };
     std::stable_sort(job.begin(), job.end(),
                      [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
     const auto middle = job.begin() + static_cast<std::ptrdiff_t>(job.size() / 2);

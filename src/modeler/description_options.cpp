@@ -1,5 +1,6 @@
 #include "modeler/description_options.hpp"
 
+#include <set>
 #include <sstream>
 
 #include "scene/json_text.hpp"
@@ -42,12 +43,17 @@ void put_option(json& document, const Building& building, const std::string& key
   } else if (key == "furniture" || key == "ground_furniture") {
     json& counts = document[key];
     if (!counts.is_object()) counts = json::object();
+    std::set<std::string> told;
     for (const std::string& part : parts_of(value)) {
       const auto equals = part.find('=');
       if (equals == std::string::npos) {
         throw building.fault(key, "has " + in_quotes(part), "write kind=number,kind=number");
       }
-      counts[part.substr(0, equals)] = value_of(part.substr(equals + 1));
+      const std::string kind = part.substr(0, equals);
+      if (!told.insert(kind).second) {
+        throw building.fault(key, "has " + kind + " twice", "write each kind once");
+      }
+      counts[kind] = value_of(part.substr(equals + 1));
     }
   } else {
     document[key] = value_of(value);

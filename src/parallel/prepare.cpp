@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "cells/plane_set.hpp"
 #include "clusters/contact_segments.hpp"
 #include "parallel/leak_file.hpp"
 #include "parallel/peak_memory.hpp"
@@ -142,7 +143,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   report_progress(progress, "clusters", 0.4);
   cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
   report_progress(progress, "clusters", 0.5);
-  p.clusters = build_clusters(p.scene, cell_pieces, config.clusters);
+  p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
   find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
   stopwatch.end_of("clusters");
   report_progress(progress, "visibility", 0.6);

@@ -59,16 +59,21 @@ VisibleSet visible_set(const CellComplex& complex, std::span<const Cluster> clus
                        const ClusterGraph& graph, CellId from) {
   VisibleSet set{from, std::vector<char>(complex.cells().size(), 0),
                  std::vector<char>(clusters.size(), 0)};
-  set.cells[from.index()] = 1;
-  for (const auto& [a, b] : visible_cells(complex)) {
-    if (a == from) set.cells[b.index()] = 1;
-    if (b == from) set.cells[a.index()] = 1;
-  }
+  std::vector<char> is_empty(complex.cells().size(), 1);
   for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (clusters[i].cell.valid()) is_empty[clusters[i].cell.index()] = 0;
     if (clusters[i].cell != from) continue;
     set.clusters[i] = 1;
     for (const std::uint32_t j : graph.neighbours(i)) set.clusters[j] = 1;
   }
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (set.clusters[i] && clusters[i].cell.valid()) set.cells[clusters[i].cell.index()] = 1;
+  }
+  for (const auto& [a, b] : visible_cells(complex)) {
+    const CellId other = a == from ? b : b == from ? a : from;
+    if (is_empty[from.index()] || is_empty[other.index()]) set.cells[other.index()] = 1;
+  }
+  set.cells[from.index()] = 1;
   return set;
 }
 
@@ -103,11 +108,13 @@ PlanSubject visible_subject(const Building& building, const VisibleSet& set) {
   for (const Cell& cell : building.cells.cells()) {
     if (cell.kind != CellKind::solid && set.cells[cell.id.index()]) ++cells;
   }
-  subject.subtitle = fmt::format("from cell {}: {} of {} cells and {} of {} clusters are visible",
-                                 set.from.value, cells, building.cells.open_cells(),
-                                 std::ranges::count(set.clusters, 1), set.clusters.size());
+  const bool is_outside = building.cells.cells()[set.from.index()].kind == CellKind::outside;
+  subject.subtitle = fmt::format("from cell {}{}: {} of {} cells and {} of {} clusters are visible",
+                                 set.from.value, is_outside ? " (outside)" : "", cells,
+                                 building.cells.open_cells(), std::ranges::count(set.clusters, 1),
+                                 set.clusters.size());
   subject.keys = {{plan_ink::chosen, fmt::format("cell {}", set.from.value)},
-                  {plan_ink::seen, "cells that see it"},
+                  {plan_ink::seen, "cells whose clusters its clusters see"},
                   {plan_ink::unseen, "other cells"},
                   {plan_ink::solid, "inside of walls, floors, solids"},
                   {plan_ink::black, "clusters that its clusters see", true},

@@ -16,7 +16,8 @@ namespace enfilade {
 /// What can be seen from one cell.
 struct VisibleSet {
   CellId from;
-  std::vector<char> cells;     ///< by cell: sees `from` in G_cell; `from` itself too
+  std::vector<char> cells;     ///< by cell: of those clusters, or `from`, or, where one of the two
+                               ///< has no cluster, a neighbour in G_cell
   std::vector<char> clusters;  ///< by cluster: of `from`, or a neighbour in G_cluster of one there
 };
 VisibleSet visible_set(const CellComplex& complex, std::span<const Cluster> clusters,

@@ -126,7 +126,11 @@ void flush_to_disk(const std::string& directory) {
 
 void make_directory(const std::string& path) {
   std::error_code code;
-  std::filesystem::create_directories(path, code);
+  // A rank that is done may take the empty parent away between the two steps.
+  for (int tries = 0; tries < 100; ++tries) {
+    std::filesystem::create_directories(path, code);
+    if (code != std::errc::no_such_file_or_directory) break;
+  }
   if (code || !std::filesystem::is_directory(path)) {
     fail(path, "cannot be made a directory", code ? code.value() : ENOTDIR);
   }

@@ -32,6 +32,7 @@ class Refusals(InScratch):
     def test_options_that_cannot_be(self):
         self.refused("--floors", "0", words=["command line: --floors: "])
         self.refused("--wings", "4:120", words=["command line: --wings: "])
+        self.refused("--furniture", "lamp=3,desk=1,lamp=5", words=["command line: --furniture: ", "lamp twice"])
         self.refused("--preset", "palace", words=["--preset", "demo, rr3425"])
         self.refused("--preset", "demo", cli_test.ROOM, words=["description"])
         self.refused(self.scratch / "none.json", words=["none.json", "does not exist"])
@@ -67,6 +68,11 @@ class Scenes(InScratch):
         self.assertEqual((len(chairs), len(lamps)), (3, 5))
         self.assertLess(len(lower["surfaces"]), len(plain["surfaces"]) / 2)
         self.assertEqual(len(lower["probes"]), 8)
+
+    def test_a_dark_building_is_told(self):
+        result = enfilade("generate", "--wings", "2", "-o", self.scratch / "scene.json")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("--furniture lamp=60", result.stderr)
 
     def test_a_preset_is_taken_by_info(self):
         self.generated("--preset", "demo")

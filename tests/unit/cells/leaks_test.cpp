@@ -117,10 +117,46 @@ TEST(Leaks, ARoomWithoutOneOfItsWallsIsToldWhereNoWallRunsOn) {
   const Found found = find(plan);
   ASSERT_EQ(found.leaks.size(), 1u);
   EXPECT_EQ(found.leaks[0].kind, LeakKind::lost_room);
+  ASSERT_EQ(found.leaks[0].path.size(), 2u);
   EXPECT_LT(glm::distance(found.leaks[0].path.front(), move({2, 2, 1.25})), 0.3);
+  EXPECT_LT(glm::distance(found.leaks[0].path.back(), move({0, 2, 1.25})), 0.3);
+  EXPECT_NEAR(found.leaks[0].area_m2, 10.0, 0.2);
+  EXPECT_NEAR(found.leaks[0].width_m, 2.5, 0.05);
   const CellId right = found.complex.locate(move({8, 2, 1}));
   ASSERT_TRUE(right.valid());
   EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
+}
+
+TEST(Leaks, AWallThatASingleRoomLacksIsToldOfTheOneCell) {
+  for (std::size_t side = 0; side < 6; ++side) {
+    plan::Plan plan = plan::one_room();
+    const Polygon missing = plan.polygons[side];
+    plan.polygons.erase(plan.polygons.begin() + static_cast<std::ptrdiff_t>(side));
+    const Found found = find(plan);
+    EXPECT_EQ(found.complex.cells().size(), 1u);
+    ASSERT_EQ(found.leaks.size(), 1u) << side;
+    EXPECT_EQ(found.leaks[0].kind, LeakKind::open_side);
+    EXPECT_EQ(found.leaks[0].cell, CellId(0));
+    EXPECT_NEAR(found.leaks[0].area_m2, area_m2(missing), 1e-6);
+    ASSERT_EQ(found.leaks[0].path.size(), 2u);
+    EXPECT_LT(glm::distance(found.leaks[0].path.back(), centroid(missing)), 0.02);
+  }
+}
+
+TEST(Leaks, ARingAroundAPanelIsAsNarrowAsItsSides) {
+  for (const double ring_m : {0.01, 0.04}) {
+    plan::Plan plan = plan::two_rooms();
+    std::erase_if(plan.polygons, [](const Polygon& p) { return bounds(p).hi.x == 0.0; });
+    plan.rectangle({0, 0, 0}, {0, 4, 0}, {0, 0, 0.5});
+    plan.rectangle({0, 0, 2}, {0, 4, 0}, {0, 0, 0.5});
+    plan.rectangle({0, 0, 0.5}, {0, 1, 0}, {0, 0, 1.5});
+    plan.rectangle({0, 3, 0.5}, {0, 1, 0}, {0, 0, 1.5});
+    plan.rectangle({0, 1 + ring_m, 0.5 + ring_m}, {0, 2 - 2 * ring_m, 0}, {0, 0, 1.5 - 2 * ring_m});
+    const Found found = find(plan);
+    ASSERT_EQ(found.leaks.size(), 1u) << ring_m;
+    EXPECT_EQ(found.leaks[0].kind, LeakKind::gap);
+    EXPECT_NEAR(found.leaks[0].width_m, ring_m, 0.1 * ring_m);
+  }
 }
 
 TEST(Leaks, ACourtBetweenThreeWallsIsNoLostRoom) {

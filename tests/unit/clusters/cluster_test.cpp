@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 #include "../cells/plan_scenes.hpp"
+#include "cells/plane_set.hpp"
 
 namespace enfilade {
 namespace {
@@ -85,6 +88,35 @@ TEST(Clusters, WithoutObjectsWhatHangsTogetherIsOneCluster) {
       EXPECT_EQ((polygon.surface.index() - boxes) / 6, (first - boxes) / 6);
     }
   }
+}
+
+/// Its surfaces, cluster by cluster.
+std::set<std::vector<SurfaceId>> grouping(const plan::Plan& plan) {
+  const std::vector<Piece> pieces = plan.pieces();
+  const CellComplex complex = build_cells(pieces, {});
+  std::set<std::vector<SurfaceId>> groups;
+  for (const Cluster& cluster :
+       build_clusters(plan.scene(), cut_all(plan, complex), {}, dominant_frame(pieces))) {
+    std::vector<SurfaceId> surfaces;
+    for (const ClusterPolygon& polygon : cluster.polygons) surfaces.push_back(polygon.surface);
+    std::sort(surfaces.begin(), surfaces.end());
+    groups.insert(std::move(surfaces));
+  }
+  return groups;
+}
+
+TEST(Clusters, ABuildingThatIsTurnedHasTheSame) {
+  // Shelves in rows and columns, too many for one cluster: equal distances wherever it is halved.
+  plan::Plan plan = plan::two_rooms();
+  for (int i = 0; i < 12; ++i) {
+    for (int j = 0; j < 12; ++j) {
+      plan.sheet({4.5 + 0.4 * i, 0.2 + 0.3 * j, 1.0}, {0.2, 0, 0}, {0, 0.2, 0});
+    }
+  }
+  const auto upright = grouping(plan);
+  EXPECT_GT(upright.size(), 12u);
+  plan.transform(plan::turn_and_move(1e4));
+  EXPECT_EQ(grouping(plan), upright);
 }
 
 TEST(ClusterBytes, ComeBackTheSame) {

@@ -69,16 +69,19 @@ TEST(FloorPlan, AssignedClustersHaveTheColourOfTheirRank) {
 TEST(FloorPlan, TheVisibleSetStandsOut) {
   const test::LitRooms rooms(2);
   const Building building = rooms.solved().building();
-  const ClusterGraph graph(5, {{0, 1}, {2, 3}, {0, 2}});
-  const VisibleSet set = visible_set(building.cells, building.clusters, graph, CellId(1));
-  EXPECT_THAT(set.cells, testing::ElementsAre(0, 1)) << "no portal joins the rooms";
-  EXPECT_THAT(set.clusters, testing::ElementsAre(1, 0, 1, 1, 0));
+  const ClusterGraph joined(5, {{0, 1}, {2, 3}, {0, 2}});
+  const VisibleSet both = visible_set(building.cells, building.clusters, joined, CellId(1));
+  EXPECT_THAT(both.cells, testing::ElementsAre(1, 1)) << "by the clusters 0 and 2";
+  EXPECT_THAT(both.clusters, testing::ElementsAre(1, 0, 1, 1, 0));
+  const ClusterGraph parted(5, {{0, 1}, {2, 3}});
+  const VisibleSet set = visible_set(building.cells, building.clusters, parted, CellId(1));
+  EXPECT_THAT(set.cells, testing::ElementsAre(0, 1));
   const PlanSubject subject = visible_subject(building, set);
   EXPECT_EQ(subject.cells[1], plan_ink::chosen);
   EXPECT_EQ(subject.cells[0], plan_ink::unseen);
   EXPECT_EQ(subject.clusters[4].line, plan_ink::faint);
-  EXPECT_EQ(subject.clusters[0].line, plan_ink::black);
-  EXPECT_THAT(subject.subtitle, HasSubstr("1 of 2 cells and 3 of 5 clusters"));
+  EXPECT_EQ(subject.clusters[2].line, plan_ink::black);
+  EXPECT_THAT(subject.subtitle, HasSubstr("1 of 2 cells and 2 of 5 clusters"));
 }
 
 TEST(FloorPlan, FurnitureInTheMiddleOfARoomDoesNotHideItsFloor) {
