@@ -1,15 +1,18 @@
 """Estimated error against the true one: solves scenes with known answers at several asked errors, a CSV line each.
 
-usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--ranks N] SCENE.json[:REFERENCE.json] ...
+usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--bases linear,constant] [--ranks N]
+                    SCENE.json[:REFERENCE.json] ...
 
 A reference is a probe file with the answer `E` (and its own error `err` or `sigma`) at each point; without one the
 scene's own probes are. The true error is the relative L1 over the points beyond the reference's error, worst band:
 of the light gathered at the points, and of that read off the patches where points lie on a surface (not `where` says
-"work plane")."""
+"work plane"). `user_s` are the user seconds of the solve, over all ranks."""
 import argparse
 import csv
+import itertools
 import json
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -18,7 +21,7 @@ import tempfile
 STATS = ["estimated_error", "estimated_discretisation_error", "estimated_visibility_error",
          "estimated_iteration_error", "estimated_patch_error", "converged", "iterations", "links", "rays",
          "flux_balance", "escaping_share"]
-COLUMNS = ["scene", "target", "true_error", "true_patch_error", *STATS]
+COLUMNS = ["scene", "target", "true_error", "true_patch_error", *STATS, "basis", "user_s"]
 
 
 def main():
@@ -27,13 +30,14 @@ def main():
     parser.add_argument("out")
     parser.add_argument("cases", nargs="+")
     parser.add_argument("--targets", default="0.1,0.03,0.01,0.003")
+    parser.add_argument("--bases", default="linear")
     parser.add_argument("--ranks", type=int, default=1)
     options = parser.parse_args()
     rows = []
     for case in options.cases:
         scene, _, reference = case.partition(":")
-        for target in options.targets.split(","):
-            rows.append(measure(options, scene, reference or scene, target))
+        for target, basis in itertools.product(options.targets.split(","), options.bases.split(",")):
+            rows.append(measure(options, scene, reference or scene, target, basis))
             print(*(f"{key}={shown(rows[-1].get(key, ''))}" for key in COLUMNS), flush=True)
             write(options.out, rows)
     judge(rows)
@@ -43,7 +47,7 @@ def shown(value):
     return f"{value:.3g}" if isinstance(value, float) else value
 
 
-def measure(options, scene, reference, target):
+def measure(options, scene, reference, target, basis):
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     with open(reference, encoding="utf-8") as file:
         points = json.load(file)["probes"]
@@ -53,8 +57,10 @@ def measure(options, scene, reference, target):
                            stderr=subprocess.DEVNULL)
 
         out = os.path.join(folder, "run")
+        before = user_seconds()
         run("mpirun", "--oversubscribe", "-n", str(options.ranks), options.enfilade, "solve", scene, "-o", out,
-            "--no-pictures", "--quiet", "--target-error", target)
+            "--no-pictures", "--quiet", "--target-error", target, "--basis", basis)
+        taken = user_seconds() - before
         errors = {}
         for method in ("gather", "patches"):
             answers = os.path.join(folder, "answers.json")
@@ -67,7 +73,13 @@ def measure(options, scene, reference, target):
             stats = json.load(file)
     name = os.path.basename(reference).split(".json")[0].removesuffix(".ref")
     return {"scene": name, "target": float(target), "true_error": errors["gather"],
-            "true_patch_error": errors["patches"], **{key: stats.get(key, "") for key in STATS}}
+            "true_patch_error": errors["patches"], **{key: stats.get(key, "") for key in STATS}, "basis": basis,
+            "user_s": taken}
+
+
+def user_seconds():
+    """Of the children that have ended."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
 
 
 def true_error(want, got):

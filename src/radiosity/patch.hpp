@@ -168,6 +168,9 @@ class PatchForest {
   /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
   /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
+  /// Adds to each node's `width` values those of its parent. The first `affine` of them, of as many
+  /// terms each as the basis has, are affine functions over the node; the others constants.
+  void push(std::span<double> values, std::size_t width, int affine) const;
   /// The leaves' irradiance -> irradiance and radiosity of every node, and of the groups.
   void pull();
   /// The leaf of a polygon that point p of its plane lies in.

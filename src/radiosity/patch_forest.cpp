@@ -125,24 +125,28 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
 }
 
 void PatchForest::push_pull(std::span<const double> gathered) {
-  // Children come after their parents, so one pass forward pushes and one pass backward pulls.
-  const std::size_t n = stride();
   std::copy(gathered.begin(), gathered.end(), irradiance_.begin());
+  push(irradiance_, stride(), bands_);
+  pull();
+}
+
+// Children come after their parents, so one pass forward pushes and one pass backward pulls.
+void PatchForest::push(std::span<double> values, std::size_t width, int affine) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const PatchNode& parent = nodes_[i];
     if (parent.leaf()) continue;
+    const double* from = values.data() + i * width;
     for (int side = 0; side < 2; ++side) {
       const std::size_t c = static_cast<std::size_t>(parent.first_child + side);
       const Vec2 shift = nodes_[c].shape.centroid - parent.shape.centroid;
-      for (std::size_t t = 0; t < n; ++t) irradiance_[c * n + t] += irradiance_[i * n + t];
+      double* to = values.data() + c * width;
+      for (std::size_t t = 0; t < width; ++t) to[t] += from[t];
       if (terms_ != 3) continue;
-      for (std::size_t b = 0; b < n; b += 3) {
-        irradiance_[c * n + b] +=
-            irradiance_[i * n + b + 1] * shift.x + irradiance_[i * n + b + 2] * shift.y;
+      for (std::size_t t = 0; t < 3 * static_cast<std::size_t>(affine); t += 3) {
+        to[t] += from[t + 1] * shift.x + from[t + 2] * shift.y;
       }
     }
   }
-  pull();
 }
 
 void PatchForest::pull() {

@@ -88,46 +88,6 @@ std::vector<char> RowClosing::find_openings(int rings, const Occluders& occluder
   return open;
 }
 
-void RowClosing::push() {
-  const PatchForest& patches = receiver_.patches();
-  for (std::size_t n = 0; n < patches.size(); ++n) {
-    const PatchNode& node = patches.node(n);
-    if (node.leaf()) continue;
-    for (int side = 0; side < 2; ++side) {
-      const auto c = static_cast<std::size_t>(node.first_child + side);
-      const double* parent = row(n);
-      double* child = row(c);
-      for (std::size_t t = 0; t < width_; ++t) child[t] += parent[t];
-      if (terms_ == 3) {
-        const Vec2 shift = patches.node(c).shape.centroid - node.shape.centroid;
-        child[0] += parent[1] * shift.x + parent[2] * shift.y;
-      }
-    }
-  }
-}
-
-/// Per node and band: what was gathered there and above it, in the mean.
-std::vector<double> RowClosing::arrived_in_all(std::span<const double> gathered) const {
-  const PatchForest& patches = receiver_.patches();
-  std::vector<double> all(gathered.begin(), gathered.end()), means(patches.size() * bands_);
-  const std::size_t stride = bands_ * terms_;
-  for (std::size_t n = 0; n < patches.size(); ++n) {
-    const PatchNode& node = patches.node(n);
-    for (std::size_t b = 0; b < bands_; ++b) means[n * bands_ + b] = all[n * stride + b * terms_];
-    if (node.leaf()) continue;
-    for (int side = 0; side < 2; ++side) {
-      const auto c = static_cast<std::size_t>(node.first_child + side);
-      const Vec2 shift = patches.node(c).shape.centroid - node.shape.centroid;
-      for (std::size_t t = 0; t < stride; ++t) all[c * stride + t] += all[n * stride + t];
-      for (std::size_t t = 0; t < stride && terms_ == 3; t += 3) {
-        all[c * stride + t] +=
-            all[n * stride + t + 1] * shift.x + all[n * stride + t + 2] * shift.y;
-      }
-    }
-  }
-  return means;
-}
-
 /// The radiosity of a leaf that sees itself, so to say, in `unseen` of its row: what is missing
 /// beyond the links' doubt is no light that they know of, as between panels that nearly touch.
 double RowClosing::own_light(std::size_t leaf, std::size_t band, double unseen,
@@ -142,13 +102,14 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
                        std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
   rows_.resize(patches.size() * width_, 0.0);
-  push();
+  patches.push(rows_, width_, 1);
   // At least 512 rays for the cluster: a narrow opening must not pass for none.
   const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
   const int rings = std::max(4, static_cast<int>(std::sqrt(128.0 / static_cast<double>(leaves))));
   const std::vector<char> open = find_openings(rings, occluders, work);
   const std::size_t stride = bands_ * terms_;
-  const std::vector<double> arrived = arrived_in_all(gathered);
+  std::vector<double> arrived(gathered);  // at the leaf and above it
+  patches.push(arrived, stride, patches.bands());
   const double rays = 4.0 * rings * rings;
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -173,9 +134,9 @@ void RowClosing::close(const Occluders& occluders, const Spectrum& mend, WorkCou
       const double light = has[terms_ + 1 + b] / has[terms_];
       to[0] += (missing - unseen) * light;
       if (unseen > 0.0)
-        to[0] += unseen *
-                 std::min(light, own_light(n, b, unseen,
-                                           arrived[n * bands_ + b] + (missing - unseen) * light));
+        to[0] += unseen * std::min(light, own_light(n, b, unseen,
+                                                    arrived[n * stride + b * terms_] +
+                                                        (missing - unseen) * light));
       if (terms_ == 3) {
         to[1] -= gain * has[1] * light;
         to[2] -= gain * has[2] * light;

@@ -36,8 +36,6 @@ class RowClosing {
   double* row(std::size_t node) { return rows_.data() + node * width_; }
   /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
-  void push();
-  std::vector<double> arrived_in_all(std::span<const double> gathered) const;
   double own_light(std::size_t leaf, std::size_t band, double unseen, double arrived) const;
 
   ClusterState& receiver_;
