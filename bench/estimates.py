@@ -6,7 +6,7 @@ usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--bases linear,co
 A reference is a probe file with the answer `E` (and its own error `err` or `sigma`) at each point; without one the
 scene's own probes are. The true error is the relative L1 over the points beyond the reference's error, worst band:
 of the light gathered at the points, and of that read off the patches where points lie on a surface (not `where` says
-"work plane"). `user_s` are the user seconds of the solve, over all ranks."""
+"work plane"). `user_s` are the user seconds of the whole run, preparation and all ranks."""
 import argparse
 import csv
 import itertools

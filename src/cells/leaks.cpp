@@ -76,8 +76,8 @@ class LeakFinder {
     for (const auto& [key, portal] : worst) {
       const CellId room(key.first);
       const Opening opening = opening_of(*portal);
-      found.push_back(
-          {key.second, room, opening.open_m2, opening.width_m, path_through(*portal, room)});
+      found.push_back({key.second, room, opening.open_m2, opening.width_m,
+                       path_through(*portal, opening.middle, room)});
     }
     std::vector<std::uint32_t> all_lost(lost.begin(), lost.end());
     for (const std::uint32_t leaf : enclosed_at_border()) all_lost.push_back(leaf);
@@ -90,7 +90,8 @@ class LeakFinder {
   struct Opening {
     double open_m2 = 0.0;
     double width_m = 0.0;  ///< a ring's: of its parts
-    double framed = 0.0;   ///< share of what is open in its plane that is framed like a door
+    Vec3 middle{0.0};      ///< of its largest part
+    double framed = 0.0;   ///< share of all that is open in its plane that is framed like a door
   };
 
   Leak lost_room(std::uint32_t leaf) const {
@@ -173,7 +174,7 @@ class LeakFinder {
     const Box box = bounds(portal.polygon);
     const Plane plane = plane_of(portal.polygon);
     Opening opening;
-    double open = 0.0, framed = 0.0;
+    double open = 0.0, framed = 0.0, largest = 0.0;
     for (const LeafInterface* face : faces_between_.at({portal.a.value, portal.b.value})) {
       const Plane& other = space_.planes.planes[face->plane];
       if (std::abs(glm::dot(other.n, plane.n)) < 1.0 - 1e-9) continue;
@@ -181,7 +182,12 @@ class LeakFinder {
       open += face->open_m2;
       framed += face->framed_m2;
       for (const Polygon& part : face->openings) {
-        if (box.overlaps(bounds(part))) opening.open_m2 += area_m2(part);
+        if (!box.overlaps(bounds(part))) continue;
+        const double area = area_m2(part);
+        opening.open_m2 += area;
+        if (area <= largest) continue;
+        largest = area;
+        opening.middle = centroid(part);
       }
     }
     opening.framed = open > 0.0 ? framed / open : 0.0;
@@ -214,8 +220,8 @@ class LeakFinder {
     return at->second;
   }
 
-  std::vector<Vec3> path_through(const Portal& portal, CellId room) const {
-    const Vec3 gap = centroid(portal.polygon), n = normal(portal.polygon);
+  std::vector<Vec3> path_through(const Portal& portal, const Vec3& gap, CellId room) const {
+    const Vec3 n = normal(portal.polygon);
     const double near_m = 4.0 * space_.tolerance_m * (portal.a == room ? 1.0 : -1.0);
     const std::uint32_t inner = cutter_.leaf_at(gap + near_m * n);
     std::uint32_t largest = inner;

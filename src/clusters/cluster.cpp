@@ -11,7 +11,7 @@ namespace enfilade {
 namespace {
 
 constexpr double coplanar_relative = 1e-5;  // of the cell's diagonal
-constexpr double rounding = 1e-9;           // a building that is turned gets the same clusters
+constexpr double rounding = 1e-9;           // what a turned building's sizes may differ by
 
 // The pieces of one cell, and how they are dealt out.
 class CellClusters {

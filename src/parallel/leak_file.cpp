@@ -39,9 +39,9 @@ std::string place_of(const Leak& leak) {
   const Vec3& p = leak.path.front();
   char text[160];
   if (leak.kind == LeakKind::lost_room) {
-    std::snprintf(text, sizeof text, "at (%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+    std::snprintf(text, sizeof text, "at (%.10g, %.10g, %.10g)", p.x, p.y, p.z);
   } else {
-    std::snprintf(text, sizeof text, "cell %u around (%.6g, %.6g, %.6g), %.3g m2, %.3g m wide",
+    std::snprintf(text, sizeof text, "cell %u around (%.10g, %.10g, %.10g), %.3g m2, %.3g m wide",
                   leak.cell.value, p.x, p.y, p.z, leak.area_m2, leak.width_m);
   }
   return text;

@@ -1,6 +1,8 @@
 #include "parallel/prepare.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +17,7 @@
 #include "store/graph_file.hpp"
 #include "store/posix_file.hpp"
 #include "store/run_layout.hpp"
+#include "store/section_file.hpp"
 
 namespace enfilade {
 namespace {
@@ -80,12 +83,24 @@ void keep_scene(Scene& scene, const std::string& path) {
   scene.text = {};
 }
 
-/// `from_bytes` of a file in RUN; what is wrong with it is told with its name.
+/// The bytes and their checksum.
+void keep(std::string bytes, const std::string& path) {
+  const std::uint64_t sum = checksum(std::as_bytes(std::span(bytes)));
+  bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  replace_file(path, bytes);
+}
+
+/// `from_bytes` of what was kept in RUN; what is wrong with it is told with its name.
 template <class FromBytes>
 auto load(const std::string& path, FromBytes from_bytes) {
   const std::string text = text_of(path);
+  std::uint64_t sum = 0;
+  const std::size_t size = text.size() - std::min(text.size(), sizeof sum);
+  std::memcpy(&sum, text.data() + size, text.size() - size);
+  const std::string_view bytes = std::string_view(text).substr(0, size);
   try {
-    return from_bytes(text);
+    if (sum != checksum(std::as_bytes(std::span(bytes)))) throw RunError("checksum");
+    return from_bytes(bytes);
   } catch (const RunError& error) {
     throw RunError(path + ": is damaged (" + error.what() + "); prepare the run again");
   }
@@ -157,8 +172,8 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   remove_directory(run_directory + "/costs");
   keep_scene(p.scene, run_directory + "/scene.json");
   merge_equal_bands(p.scene);
-  replace_file(run_directory + "/cells.bin", to_bytes(p.cells));
-  replace_file(run_directory + "/clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)));
+  keep(to_bytes(p.cells), run_directory + "/cells.bin");
+  keep(to_bytes(std::span<const Cluster>(p.clusters)), run_directory + "/clusters.bin");
   write_leaks(run_directory, leaks);
   write_graph(p.graph, run_directory + "/graph.txt");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -70,8 +70,9 @@ VisibleSet visible_set(const CellComplex& complex, std::span<const Cluster> clus
     if (set.clusters[i] && clusters[i].cell.valid()) set.cells[clusters[i].cell.index()] = 1;
   }
   for (const auto& [a, b] : visible_cells(complex)) {
-    const CellId other = a == from ? b : b == from ? a : from;
-    if (is_empty[from.index()] || is_empty[other.index()]) set.cells[other.index()] = 1;
+    if (a != from && b != from) continue;
+    const std::size_t other = a == from ? b.index() : a.index();
+    if (is_empty[from.index()] || is_empty[other]) set.cells[other] = 1;
   }
   set.cells[from.index()] = 1;
   return set;

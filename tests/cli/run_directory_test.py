@@ -145,6 +145,16 @@ class Damage(InRun):
                 self.assert_failed(enfilade("solve", self.run_directory, "--resume"), str(path), "prepare the run again")
             path.write_bytes(whole)
 
+    def test_one_bit_that_is_wrong_is_told(self):
+        for name in ("clusters.bin", "cells.bin"):
+            path = self.run_directory / name
+            whole = path.read_bytes()
+            for at in (len(whole) // 3, len(whole) // 2, len(whole) - 1):
+                path.write_bytes(whole[:at] + bytes([whole[at] ^ 0x40]) + whole[at + 1:])
+                with self.subTest(f"{name}, byte {at}"):
+                    self.assert_failed(enfilade("info", self.run_directory), str(path), "prepare the run again")
+            path.write_bytes(whole)
+
     def test_a_damaged_manifest_is_told_once_on_any_ranks(self):
         manifest = self.run_directory / "common/manifest.json"
         for text in ("{", "{}", manifest.read_text().replace('"history":[[', '"history":[[1],[')):

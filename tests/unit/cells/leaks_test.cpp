@@ -156,6 +156,7 @@ TEST(Leaks, ARingAroundAPanelIsAsNarrowAsItsSides) {
     ASSERT_EQ(found.leaks.size(), 1u) << ring_m;
     EXPECT_EQ(found.leaks[0].kind, LeakKind::gap);
     EXPECT_NEAR(found.leaks[0].width_m, ring_m, 0.1 * ring_m);
+    expect_open_way(found, plan, found.complex.locate({2, 2, 1}), found.leaks[0]);
   }
 }
 
