@@ -40,7 +40,9 @@ def main():
             rows.append(measure(options, scene, reference or scene, target, basis))
             print(*(f"{key}={shown(rows[-1].get(key, ''))}" for key in COLUMNS), flush=True)
             write(options.out, rows)
-    judge(rows)
+    for basis in options.bases.split(","):
+        print(end=f"{basis}: ")
+        judge([row for row in rows if row["basis"] == basis])
 
 
 def shown(value):

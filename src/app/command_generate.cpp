@@ -52,7 +52,7 @@ void run_generate(const GenerateOptions& options, Session& session) {
   session.console().print(table.text());
   if (counts.lights == 0) {
     Warnings warnings;
-    warnings.add("furniture", "the building is dark; add lamps, such as --furniture lamp=60");
+    warnings.add("furniture", "the building is dark; add lamps, such as --furniture lamp=8");
     session.console().warnings(warnings);
   }
 }

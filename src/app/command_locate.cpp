@@ -55,8 +55,9 @@ void add_locate(CLI::App& cli, Command& chosen) {
       "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
       "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
       "...]}.\n"
-      "The answers stand in the points' order; the outside is a cell as well, and -1 is the inside "
-      "of a solid.");
+      "The answers stand in the points' order. The outside is a cell as well, where a surface or a "
+      "portal\nlies at it; -1 is in no cell: inside of a solid, or in an outside that nothing "
+      "sees.");
   sub->callback([options, &chosen] {
     chosen = {false, [options](Session& session) { run_locate(*options, session); }};
   });

@@ -234,7 +234,7 @@ CellComplex build(std::span<const Piece> given, const CellComplex::Config& confi
   for (Leak& leak : found) {
     if (number[leak.cell.index()] == no_cell) continue;
     leak.cell = CellId(number[leak.cell.index()]);
-    if (is_one_room) leak.kind = LeakKind::open_side;
+    if (is_one_room && leak.area_m2 > 0.0) leak.kind = LeakKind::open_side;
     for (Vec3& p : leak.path) p = own.out(p);
     leaks->push_back(std::move(leak));
   }

@@ -37,13 +37,13 @@ double width_of(const Polygon& polygon) {
   return least;
 }
 
-double perimeter_of(const Polygon& polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    sum += glm::distance(polygon[i], polygon[(i + 1) % polygon.size()]);
-  }
-  return sum;
-}
+/// What is open within a portal, of which that is the hull.
+struct Opening {
+  double open_m2 = 0.0;
+  double width_m = 0.0;  ///< a ring's: of its parts
+  Vec3 middle{0.0};      ///< of its largest part
+  double framed = 0.0;   ///< share of all that is open in its plane that is framed like a door
+};
 
 class LeakFinder {
  public:
@@ -63,19 +63,22 @@ class LeakFinder {
   }
 
   std::vector<Leak> run(std::span<const std::uint32_t> lost) {
-    std::map<std::pair<std::uint32_t, LeakKind>, const Portal*> worst;
+    std::map<std::pair<std::uint32_t, LeakKind>, std::pair<const Portal*, Opening>> worst;
     for (const auto& [room, portals] : to_outside()) {
       for (const Portal* portal : portals) {
         const auto leak = kind_of(*portal, room);
         if (!leak || (*leak == LeakKind::gap && is_beside_window(*portal, room, portals))) continue;
-        const Portal*& now = worst[{room, *leak}];
-        if (now == nullptr || area_m2(portal->polygon) > area_m2(now->polygon)) now = portal;
+        auto& [now, told] = worst[{room, *leak}];
+        const Opening opening = opening_of(*portal);
+        if (now != nullptr && opening.open_m2 <= told.open_m2) continue;
+        now = portal;
+        told = opening;
       }
     }
     std::vector<Leak> found;
-    for (const auto& [key, portal] : worst) {
+    for (const auto& [key, at] : worst) {
+      const auto& [portal, opening] = at;
       const CellId room(key.first);
-      const Opening opening = opening_of(*portal);
       found.push_back({key.second, room, opening.open_m2, opening.width_m,
                        path_through(*portal, opening.middle, room)});
     }
@@ -86,14 +89,6 @@ class LeakFinder {
   }
 
  private:
-  /// What is open within a portal, of which that is the hull.
-  struct Opening {
-    double open_m2 = 0.0;
-    double width_m = 0.0;  ///< a ring's: of its parts
-    Vec3 middle{0.0};      ///< of its largest part
-    double framed = 0.0;   ///< share of all that is open in its plane that is framed like a door
-  };
-
   Leak lost_room(std::uint32_t leaf) const {
     Leak leak{LeakKind::lost_room, CellId(space_.groups.group_of_leaf[leaf]), 0.0, 0.0, {}};
     leak.path.push_back(middle_of(space_.tree.leaves[leaf]));
@@ -174,7 +169,8 @@ class LeakFinder {
     const Box box = bounds(portal.polygon);
     const Plane plane = plane_of(portal.polygon);
     Opening opening;
-    double open = 0.0, framed = 0.0, largest = 0.0;
+    opening.middle = centroid(portal.polygon);
+    double open = 0.0, framed = 0.0, largest = 0.0, widest_m = 0.0;
     for (const LeafInterface* face : faces_between_.at({portal.a.value, portal.b.value})) {
       const Plane& other = space_.planes.planes[face->plane];
       if (std::abs(glm::dot(other.n, plane.n)) < 1.0 - 1e-9) continue;
@@ -185,6 +181,7 @@ class LeakFinder {
         if (!box.overlaps(bounds(part))) continue;
         const double area = area_m2(part);
         opening.open_m2 += area;
+        widest_m = std::max(widest_m, width_of(part));
         if (area <= largest) continue;
         largest = area;
         opening.middle = centroid(part);
@@ -193,7 +190,7 @@ class LeakFinder {
     opening.framed = open > 0.0 ? framed / open : 0.0;
     opening.width_m = width_of(portal.polygon);
     if (2.0 * opening.open_m2 < area_m2(portal.polygon)) {
-      opening.width_m = std::min(opening.width_m, opening.open_m2 / perimeter_of(portal.polygon));
+      opening.width_m = std::min(opening.width_m, widest_m);
     }
     return opening;
   }

@@ -20,7 +20,7 @@ const char* name_of(LeakKind kind);
 struct Leak {
   LeakKind kind = LeakKind::gap;
   CellId cell;             ///< that leaks; the outside's for a lost room
-  double area_m2 = 0.0;    ///< of the opening (0 for a lost room that is open in several places)
+  double area_m2 = 0.0;    ///< of the opening (0 for a lost room that does not lie at the border)
   double width_m = 0.0;    ///< its smallest width, of a ring's its parts' (likewise)
   std::vector<Vec3> path;  ///< from inside through the opening to the open
 };

@@ -130,7 +130,7 @@ void PatchForest::push_pull(std::span<const double> gathered) {
   pull();
 }
 
-// Children come after their parents, so one pass forward pushes and one pass backward pulls.
+// Children come after their parents, so that one pass forward pushes, and one backward pulls.
 void PatchForest::push(std::span<double> values, std::size_t width, int affine) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const PatchNode& parent = nodes_[i];

@@ -129,7 +129,7 @@ void make_directory(const std::string& path) {
   // A rank that is done may take the empty parent away between the two steps.
   for (int tries = 0; tries < 100; ++tries) {
     std::filesystem::create_directories(path, code);
-    if (code != std::errc::no_such_file_or_directory) break;
+    if (code != std::errc::no_such_file_or_directory && code != std::errc::file_exists) break;
   }
   if (code || !std::filesystem::is_directory(path)) {
     fail(path, "cannot be made a directory", code ? code.value() : ENOTDIR);

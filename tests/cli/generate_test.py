@@ -72,7 +72,8 @@ class Scenes(InScratch):
     def test_a_dark_building_is_told(self):
         result = enfilade("generate", "--wings", "2", "-o", self.scratch / "scene.json")
         self.assertEqual(result.returncode, 0)
-        self.assertIn("--furniture lamp=60", result.stderr)
+        self.assertIn("--furniture lamp=8", result.stderr)
+        self.generated("--wings", "1", "--floors", "1", "--furniture", "lamp=8")
 
     def test_a_preset_is_taken_by_info(self):
         self.generated("--preset", "demo")

@@ -155,9 +155,26 @@ TEST(Leaks, ARingAroundAPanelIsAsNarrowAsItsSides) {
     const Found found = find(plan);
     ASSERT_EQ(found.leaks.size(), 1u) << ring_m;
     EXPECT_EQ(found.leaks[0].kind, LeakKind::gap);
-    EXPECT_NEAR(found.leaks[0].width_m, ring_m, 0.1 * ring_m);
+    EXPECT_NEAR(found.leaks[0].width_m, ring_m, 1e-6);
     expect_open_way(found, plan, found.complex.locate({2, 2, 1}), found.leaks[0]);
   }
+}
+
+TEST(Leaks, OfTwoGapsTheOneThatIsMoreOpenIsTold) {
+  // A slit along the top of a wall and down one side of it has the larger hull, a wider one in the
+  // other wall of that room more that is open.
+  plan::Plan plan = plan::two_rooms();
+  std::erase_if(plan.polygons,
+                [](const Polygon& p) { return bounds(p).hi.x == 0.0 || bounds(p).hi.y == 0.0; });
+  plan.rectangle({0, 0.01, 0}, {0, 3.99, 0}, {0, 0, 2.49});
+  plan.rectangle({0, 0, 0}, {0, 0, 2.45}, {4, 0, 0});
+  plan.rectangle({4, 0, 0}, {0, 0, 2.5}, {6, 0, 0});
+  const Found found = find(plan);
+  ASSERT_EQ(found.leaks.size(), 1u);
+  EXPECT_EQ(found.leaks[0].kind, LeakKind::gap);
+  EXPECT_NEAR(found.leaks[0].width_m, 0.05, 1e-6);
+  EXPECT_NEAR(found.leaks[0].area_m2, 4 * 0.05, 1e-6);
+  expect_open_way(found, plan, found.complex.locate({2, 2, 1}), found.leaks[0]);
 }
 
 TEST(Leaks, ACourtBetweenThreeWallsIsNoLostRoom) {
