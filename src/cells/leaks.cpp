@@ -37,8 +37,9 @@ double width_of(const Polygon& polygon) {
   return least;
 }
 
-/// What is open within a portal, of which that is the hull.
+/// What is open within a portal, which is its hull.
 struct Opening {
+  const Portal* portal = nullptr;
   double open_m2 = 0.0;
   double width_m = 0.0;  ///< a ring's: of its parts
   Vec3 middle{0.0};      ///< of its largest part
@@ -63,24 +64,23 @@ class LeakFinder {
   }
 
   std::vector<Leak> run(std::span<const std::uint32_t> lost) {
-    std::map<std::pair<std::uint32_t, LeakKind>, std::pair<const Portal*, Opening>> worst;
-    for (const auto& [room, portals] : to_outside()) {
-      for (const Portal* portal : portals) {
-        const auto leak = kind_of(*portal, room);
-        if (!leak || (*leak == LeakKind::gap && is_beside_window(*portal, room, portals))) continue;
-        auto& [now, told] = worst[{room, *leak}];
-        const Opening opening = opening_of(*portal);
-        if (now != nullptr && opening.open_m2 <= told.open_m2) continue;
-        now = portal;
-        told = opening;
+    std::map<std::pair<std::uint32_t, LeakKind>, const Opening*> worst;
+    const std::map<std::uint32_t, std::vector<Opening>> by_room = to_outside();
+    for (const auto& [room, openings] : by_room) {
+      for (const Opening& opening : openings) {
+        const auto leak = kind_of(opening, room);
+        if (!leak || (*leak == LeakKind::gap && is_beside_window(opening, room, openings))) {
+          continue;
+        }
+        const Opening*& now = worst[{room, *leak}];
+        if (now == nullptr || opening.open_m2 > now->open_m2) now = &opening;
       }
     }
     std::vector<Leak> found;
-    for (const auto& [key, at] : worst) {
-      const auto& [portal, opening] = at;
+    for (const auto& [key, opening] : worst) {
       const CellId room(key.first);
-      found.push_back({key.second, room, opening.open_m2, opening.width_m,
-                       path_through(*portal, opening.middle, room)});
+      found.push_back(
+          {key.second, room, opening->open_m2, opening->width_m, path_through(*opening, room)});
     }
     std::vector<std::uint32_t> all_lost(lost.begin(), lost.end());
     for (const std::uint32_t leaf : enclosed_at_border()) all_lost.push_back(leaf);
@@ -141,25 +141,26 @@ class LeakFinder {
     return *middle;
   }
 
-  std::map<std::uint32_t, std::vector<const Portal*>> to_outside() const {
-    std::map<std::uint32_t, std::vector<const Portal*>> by_room;
+  std::map<std::uint32_t, std::vector<Opening>> to_outside() const {
+    std::map<std::uint32_t, std::vector<Opening>> by_room;
     for (const Portal& portal : portals_) {
       const CellKind a = kind(portal.a), b = kind(portal.b);
       if ((a == CellKind::outside) == (b == CellKind::outside)) continue;
       const CellId room = a == CellKind::outside ? portal.b : portal.a;
-      if (kind(room) == CellKind::room) by_room[room.value].push_back(&portal);
+      if (kind(room) == CellKind::room) by_room[room.value].push_back(opening_of(portal));
     }
     return by_room;
   }
 
   /// The chinks of a window's frame are no news.
-  bool is_beside_window(const Portal& gap, std::uint32_t room,
-                        const std::vector<const Portal*>& others) const {
-    const Box box = bounds(gap.polygon);
-    const double near_m = 0.05 * std::cbrt(volume(room)), width_m = opening_of(gap).width_m;
-    return std::ranges::any_of(others, [&](const Portal* other) {
-      return opening_of(*other).width_m > 2.0 * width_m &&
-             bounds(other->polygon).overlaps(box, near_m) && kind_of(*other, room) != LeakKind::gap;
+  bool is_beside_window(const Opening& gap, std::uint32_t room,
+                        const std::vector<Opening>& others) const {
+    const Box box = bounds(gap.portal->polygon);
+    const double near_m = 0.05 * std::cbrt(volume(room));
+    return std::ranges::any_of(others, [&](const Opening& other) {
+      return other.width_m > 2.0 * gap.width_m &&
+             bounds(other.portal->polygon).overlaps(box, near_m) &&
+             kind_of(other, room) != LeakKind::gap;
     });
   }
 
@@ -169,6 +170,7 @@ class LeakFinder {
     const Box box = bounds(portal.polygon);
     const Plane plane = plane_of(portal.polygon);
     Opening opening;
+    opening.portal = &portal;
     opening.middle = centroid(portal.polygon);
     double open = 0.0, framed = 0.0, largest = 0.0, widest_m = 0.0;
     for (const LeafInterface* face : faces_between_.at({portal.a.value, portal.b.value})) {
@@ -195,13 +197,11 @@ class LeakFinder {
     return opening;
   }
 
-  std::optional<LeakKind> kind_of(const Portal& portal, std::uint32_t room) const {
-    const double size_m = std::cbrt(volume(room));
-    const Opening opening = opening_of(portal);
-    if (opening.width_m <= 2.0 * space_.tolerance_m)
-      return std::nullopt;  // as planes are told apart
+  std::optional<LeakKind> kind_of(const Opening& opening, std::uint32_t room) const {
+    const double size_m = std::cbrt(volume(room)), planes_apart_m = 2.0 * space_.tolerance_m;
+    if (opening.width_m <= planes_apart_m) return std::nullopt;
     if (opening.width_m < config_.gap_share * size_m) return LeakKind::gap;
-    const double area = area_m2(portal.polygon);
+    const double area = area_m2(opening.portal->polygon);
     if (area < config_.side_share * size_m * size_m) return std::nullopt;
     if (opening.framed < config_.framed_share) return LeakKind::open_side;
     return std::nullopt;
@@ -217,7 +217,9 @@ class LeakFinder {
     return at->second;
   }
 
-  std::vector<Vec3> path_through(const Portal& portal, const Vec3& gap, CellId room) const {
+  std::vector<Vec3> path_through(const Opening& opening, CellId room) const {
+    const Portal& portal = *opening.portal;
+    const Vec3& gap = opening.middle;
     const Vec3 n = normal(portal.polygon);
     const double near_m = 4.0 * space_.tolerance_m * (portal.a == room ? 1.0 : -1.0);
     const std::uint32_t inner = cutter_.leaf_at(gap + near_m * n);

@@ -168,8 +168,9 @@ class PatchForest {
   /// Irradiance gathered at every node -> radiosity of every node: push to the leaves, pull to the
   /// roots (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
-  /// Adds to each node's `width` values those of its parent. The first `affine` of them, of as many
-  /// terms each as the basis has, are affine functions over the node; the others constants.
+  /// Adds to each node's `width` values those of all nodes above it. They begin with `affine`
+  /// affine functions over the node, of as many values each as the basis has terms; the rest are
+  /// constants.
   void push(std::span<double> values, std::size_t width, int affine) const;
   /// The leaves' irradiance -> irradiance and radiosity of every node, and of the groups.
   void pull();

@@ -4,10 +4,25 @@
 
 #include <atomic>
 #include <filesystem>
+#include <string>
 #include <thread>
+#include <vector>
+
+#include "base/error.hpp"
 
 namespace enfilade {
 namespace {
+
+TEST(PosixFile, FullDiskIsToldWithItsRemedy) {
+  try {
+    write_file("/dev/full", std::vector<std::byte>(10), {});
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"))
+      << "the device must outlive the test";
+}
 
 TEST(PosixFile, ADirectoryIsMadeWhileAnotherTakesItsParentAway) {
   namespace fs = std::filesystem;

@@ -73,16 +73,5 @@ TEST(SectionFile, AnothersFileIsRefused) {
   EXPECT_THROW(read_section(path, ClusterId(7u), Section::patches), RunError);
 }
 
-TEST(PosixFile, FullDiskIsToldWithItsRemedy) {
-  try {
-    write_file("/dev/full", some_bytes(10), {});
-    FAIL();
-  } catch (const RunError& error) {
-    EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
-  }
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"))
-      << "the device must outlive the test";
-}
-
 }  // namespace
 }  // namespace enfilade
