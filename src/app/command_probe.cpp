@@ -53,9 +53,9 @@ void add_probe(CLI::App& cli, Command& chosen) {
       ->capture_default_str();
   sub->add_option("--noise", options->gather.noise,
                   "More rays, up to 16 times as many, where their noise is above this share of a "
-                  "point's light and 1e-4 of the mean irradiance (0: never)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+                  "point's light and 1e-4 of the mean irradiance (0: never; default: half of the "
+                  "estimated error of the patches, at most 0.005)")
+      ->check(CLI::Range(0.0, 1.0));
   sub->add_option("--seed", options->gather.seed, "Seed of the rays")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

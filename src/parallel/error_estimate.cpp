@@ -15,6 +15,8 @@ constexpr double share_before_sampling = 0.25;
 constexpr double share_seen_together = 1.0 / 3.0;
 /// An error below this share of the sampling's noise cannot be told from none.
 constexpr double share_hidden_by_noise = 0.1;
+/// Of a normal error.
+constexpr double mean_over_standard_error = 0.8;
 
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;
@@ -42,22 +44,38 @@ const IterationSummary* last_sampled(std::span<const IterationSummary> history) 
 }
 
 /// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
-double residual(const ResidualSums& sums) {
-  return worst(sums.light.size(), [&](std::size_t b) {
-    const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
-    const double seen = std::sqrt(std::max(0.0, square));
-    return sums.light[b] > 0.0 ? std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b]
-                               : 0.0;
-  });
+double residual(const ResidualSums& sums, std::size_t b) {
+  if (b >= sums.light.size() || sums.light[b] <= 0.0) return 0.0;
+  const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
+  const double seen = std::sqrt(std::max(0.0, square));
+  return std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b];
 }
 
-double local_error(std::span<const IterationSummary> history) {
+/// Relative noise of one sampled point in band b, mean over the points.
+double sample_noise(const ResidualSums& sums, std::size_t b) {
+  return b < sums.light.size() && sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
+}
+
+/// The rays of a gathered point bring noise of their own, which falls a little faster than by the
+/// square root as they are stratified. A noisy point gets more of them, until it is noisy no more
+/// or has had 16 times as many.
+double gather_noise(const IterationSummary* sampled, double patch_error, std::size_t b) {
+  if (sampled == nullptr) return 0.0;
+  PointGatherConfig config;
+  config.patch_error = patch_error;
+  const double fewer = sampled->plan.sample_rays / static_cast<double>(config.rays);
+  const double noise = sample_noise(sampled->sums.residual, b) * std::pow(fewer, 0.6);
+  return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
+}
+
+/// The patches' own error in band b.
+double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationSums& last = history.back().sums;
   const double now = relative(last.link_error_power, last.received_power);
   const IterationSummary* sampled = last_sampled(history);
   if (sampled == nullptr) return share_before_sampling * now;
   const double then = relative(sampled->sums.link_error_power, sampled->sums.received_power);
-  return residual(sampled->sums.residual) * (then > 0.0 ? now / then : 1.0);
+  return residual(sampled->sums.residual, b) * (then > 0.0 ? now / then : 1.0);
 }
 
 double most_reflected(const IterationSums& sums) {
@@ -126,9 +144,7 @@ double contraction(std::span<const IterationSummary> history) {
 }
 
 double sample_noise(const ResidualSums& sums) {
-  return worst(sums.light.size(), [&](std::size_t b) {
-    return sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
-  });
+  return worst(sums.light.size(), [&](std::size_t b) { return sample_noise(sums, b); });
 }
 
 ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces) {
@@ -142,22 +158,21 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   estimate.iteration = still_to_come(last, change_ratio(history));
   estimate.iteration_bound = still_to_come(last, contraction(history));
   const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
-  const double local = local_error(history);
   const auto all_over = [&](std::size_t b) {
     return still ? std::max(0.0, std::abs(unbalanced_share(sums, surfaces, b)) - estimate.iteration)
                  : 0.0;
   };
   const std::size_t bands = std::min(surfaces.size(), sums.absorbed_power.size());
-  double links = bands == 0 ? local : worst(bands, [&](std::size_t b) {
-    return reflected_share(sums, b) * std::hypot(share_seen_together * local, all_over(b));
+  const auto seen_by_points = [&](std::size_t b) {
+    return reflected_share(sums, b) *
+           std::hypot(share_seen_together * local_error(history, b), all_over(b));
+  };
+  estimate.patches = estimate.iteration + worst(bands, [&](std::size_t b) {
+                       return std::hypot(local_error(history, b), all_over(b)) + seen_by_points(b);
+                     });
+  const double links = worst(bands, [&](std::size_t b) {
+    return std::hypot(seen_by_points(b), gather_noise(last_sampled(history), estimate.patches, b));
   });
-  estimate.patches = estimate.iteration + std::hypot(local, worst(bands, all_over)) + links;
-  if (const IterationSummary* sampled = last_sampled(history)) {
-    // The rays of a gathered point bring noise of their own, which falls a little faster than by
-    // the square root as they are stratified; noisy points get more rays, and are better than this.
-    const double fewer = sampled->plan.sample_rays / static_cast<double>(PointGatherConfig{}.rays);
-    links = std::hypot(links, sample_noise(sampled->sums.residual) * std::pow(fewer, 0.6));
-  }
   const double doubt =
       sums.link_error_power > 0.0 ? sums.link_doubt_power / sums.link_error_power : 0.0;
   estimate.visibility = doubt * links;

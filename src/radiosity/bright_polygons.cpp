@@ -114,7 +114,7 @@ const BrightPolygons::CountedPolygon* BrightPolygons::Counted::find(std::uint32_
 }
 
 BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                                    Spectrum& irradiance) const {
+                                                    double least, Spectrum& irradiance) const {
   Counted counted;
   const std::vector<double> bright = weights(bright_, p, n, own);
   const std::vector<double> other = weights(others_, p, n, own);
@@ -124,7 +124,7 @@ BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n
   CountedPolygon next;
   const auto exact = [&](const Bright& b) {
     next.polygon = b.polygon;
-    return seen.look(p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k, 5e-3 * total,
+    return seen.look(p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k, least * total,
                      next.nodes);
   };
   for (std::size_t i = 0; i < bright_.size(); ++i) {
@@ -138,7 +138,7 @@ BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n
     counted.polygons.push_back(next);
   }
   for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (other[i] > 5e-3 * total && exact(others_[i])) counted.polygons.push_back(next);
+    if (other[i] > least * total && exact(others_[i])) counted.polygons.push_back(next);
   }
   std::sort(counted.polygons.begin(), counted.polygons.end(),
             [](const CountedPolygon& a, const CountedPolygon& b) { return a.polygon < b.polygon; });

@@ -19,10 +19,10 @@ class BrightPolygons {
 
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
   /// Adds to `irradiance` what the mean radiosities of all of them give at p, and those of all
-  /// others that may give a two-hundredth of the light there and are hidden by few; of what varies
-  /// as much the means of its parts. Exactly, but for bright ones that many hide: these are looked
-  /// at as closely as they matter. `own`: the polygon that p lies on. What is added for a direction
-  /// is the mean of what was counted there, else `ambient`: rays have to find the rest.
+  /// others that may give `least` of the light there (a share) and are hidden by few; of what
+  /// varies as much the means of its parts. Exactly, but for bright ones that many hide: these are
+  /// looked at as closely as they matter. `own`: the polygon that p lies on. What is added for a
+  /// direction is the mean of what was counted there, else `ambient`: rays have to find the rest.
   struct CountedPolygon {
     std::uint32_t polygon;
     std::vector<SeenNode> nodes;
@@ -32,7 +32,8 @@ class BrightPolygons {
     Spectrum ambient;                      ///< mean radiosity of those in view that were not
     const CountedPolygon* find(std::uint32_t polygon) const;
   };
-  Counted add_largest(const Vec3& p, const Vec3& n, std::uint32_t own, Spectrum& irradiance) const;
+  Counted add_largest(const Vec3& p, const Vec3& n, std::uint32_t own, double least,
+                      Spectrum& irradiance) const;
 
   /// How likely each is to be picked for points near p.
   std::vector<double> weights_near(const Vec3& p) const;

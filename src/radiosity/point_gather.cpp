@@ -28,6 +28,12 @@ Spectrum mean_over(std::span<const ClusterState> clusters) {
   return mean;
 }
 
+/// Of a point's light. The less noise is asked for, the less is left to rays.
+double share_left_to_rays(const PointGatherConfig& config) {
+  const double least = config.least_noise();
+  return least > 0.0 ? std::clamp(least, 3e-4, 5e-3) : 5e-3;
+}
+
 }  // namespace
 
 struct PointGather::Impl {
@@ -162,6 +168,7 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
                                        Spectrum& e) const {
   const std::vector<double> weights = bright.weights_near(p);
   Spectrum sum(bands, 0.0), variance(bands, 0.0);
+  const double least = config.least_noise();
   bool noisy = true;
   int rounds = 0;
   while (noisy && rounds < 16) {
@@ -171,8 +178,8 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     for (std::size_t b = 0; b < bands; ++b) {
       variance[b] += more[b];
       const double light = e[b] + sum[b] / rounds;
-      noisy |= config.noise > 0.0 && std::sqrt(variance[b]) / rounds >
-                                         std::max(config.noise * light, 1e-4 * mean_irradiance[b]);
+      noisy |= least > 0.0 &&
+               std::sqrt(variance[b]) / rounds > std::max(least * light, 1e-4 * mean_irradiance[b]);
     }
   }
   for (std::size_t b = 0; b < bands; ++b) e[b] += sum[b] / rounds;
@@ -226,7 +233,8 @@ Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   Spectrum e(impl_->bands, 0.0);
   const std::uint32_t own = impl_->surface_at(p, n);
   const Vec3 x = impl_->lifted(p, n);
-  const BrightPolygons::Counted counted = impl_->bright.add_largest(x, n, own, e);
+  const BrightPolygons::Counted counted =
+      impl_->bright.add_largest(x, n, own, share_left_to_rays(impl_->config), e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
   impl_->add_hemisphere(x, n, own, random, counted, e);
   // What is counted at first and taken away ray by ray leaves its rounding behind.

@@ -1,7 +1,10 @@
 // Irradiance at a point by one gather from the solution: probes, and the pixels of a picture.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,11 +17,15 @@ struct PointGatherConfig {
   int rays = 4096;  ///< over the hemisphere
   /// Where their noise (standard error) is above this share of a point's light and 1e-4 of the mean
   /// irradiance, as many again, up to 16 times. 0 = never.
-  double noise = 0.005;
+  std::optional<double> noise{};
   std::uint64_t seed = 1;
   /// Relative error of what is read off the patches. The larger it is, the farther away a patch has
   /// to be for its own light to be taken.
   double patch_error = 0.01;
+
+  /// `noise`, or by default half of `patch_error` and at most 0.005: what the patches are known to
+  /// is not to be lost in noise, and rays would be lost on patches that are known no better.
+  double least_noise() const { return noise.value_or(std::min(0.5 * patch_error, 0.005)); }
 };
 
 /// Holds on to the clusters (in order of their ids), lights and occluders, which must outlive it.

@@ -93,6 +93,8 @@ void ResidualSamples::place(const ClusterState& receiver) {
                   {},
                   {}};
       point.light.fill(Spectrum(bands_, 0.0));
+      point.left_to_rays.resize(bands_, 0.0);
+      point.met_by_rays.resize(bands_, 0.0);
       point.x += 2.0 * occluders_->rays().epsilon_m() * frame.n;
       points_.push_back(std::move(point));
     }
@@ -160,12 +162,16 @@ void ResidualSamples::from(const ClusterState& shooter) {
     Point& point = points_[hit->point];
     const std::uint32_t k = hit->polygon.polygon;
     const SeenNode* counted = node_around(point.counted, forest, k, hit->y);
-    if (counted == nullptr && is_bright(forest, k, point)) continue;
+    const bool bright = is_bright(forest, k, point);
+    if (counted == nullptr && bright) continue;
     forest.evaluate(true, k, hit->y, radiosity);
-    Spectrum& light = point.light[static_cast<std::size_t>(hit->half)];
+    const auto half = static_cast<std::size_t>(hit->half);
+    if (counted != nullptr) point.counted_rays[half] += share;
     for (std::size_t b = 0; b < bands_; ++b) {
-      light[b] += share * (radiosity[b] -
-                           (counted != nullptr ? forest.radiosity(counted->node)[b * terms] : 0.0));
+      const double had = counted != nullptr ? forest.radiosity(counted->node)[b * terms] : 0.0;
+      point.light[half][b] += share * (radiosity[b] - had);
+      if (counted == nullptr) point.left_to_rays[b] += share * radiosity[b];
+      if (!bright) point.met_by_rays[b] += share * radiosity[b];
     }
   }
 }
@@ -205,6 +211,7 @@ void ResidualSamples::count_means(const ClusterState& shooter, Point& point) {
             [](const SeenNode& a, const SeenNode& b) { return a.node < b.node; });
   work_->form_factors += point.counted.size();
   for (const auto& [node, factor] : point.counted) {
+    point.counted_factor += factor;
     for (Spectrum& half : point.light) {
       for (std::size_t b = 0; b < bands_; ++b)
         half[b] += factor * forest.radiosity(node)[b * terms];
@@ -246,6 +253,17 @@ void ResidualSamples::from_bright(const ClusterState& shooter, std::uint32_t pol
   }
 }
 
+/// What was counted takes up a known part of the hemisphere: how many rays met the rest by luck is
+/// made up for by the mean of what they brought; with one ray's weight, for there may be none, by
+/// that of all.
+double ResidualSamples::light_of(const Point& point, std::size_t half, std::size_t band) const {
+  const double ray = 2.0 / config_.rays;
+  const double others = 2.0 - point.counted_rays[0] - point.counted_rays[1];
+  const double mean =
+      (point.left_to_rays[band] + 0.5 * ray * point.met_by_rays[band]) / (others + ray);
+  return point.light[half][band] + mean * (point.counted_rays[half] - point.counted_factor);
+}
+
 ResidualSums ResidualSamples::compare(const ClusterState& receiver) const {
   const Spectrum none(bands_, 0.0);
   ResidualSums sums{none, none, none, none};
@@ -253,7 +271,7 @@ ResidualSums ResidualSamples::compare(const ClusterState& receiver) const {
   for (const Point& point : points_) {
     receiver.patches().evaluate(false, point.polygon, point.x, has);
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double first = point.light[0][b], second = point.light[1][b];
+      const double first = light_of(point, 0, b), second = light_of(point, 1, b);
       const double mean = 0.5 * (first + second);
       sums.light[b] += point.area_m2 * mean;
       sums.surplus[b] += point.area_m2 * (mean - has[b]);

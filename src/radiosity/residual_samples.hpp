@@ -55,6 +55,11 @@ class ResidualSamples {
     double irradiance;  ///< on the patches, before; worst band
     std::array<Spectrum, 2> light;
     std::vector<SeenNode> counted;  ///< of the shooter at hand: their mean radiosities are in light
+    double counted_factor = 0.0;    ///< of all shooters: form factors
+    std::array<double, 2> counted_rays{};  ///< and the share of the rays that met what was counted
+    /// What rays brought, sum of both halves: those that met nothing counted, and all that met
+    /// nothing bright.
+    Spectrum left_to_rays{}, met_by_rays{};
   };
   struct Hit {
     PolygonRef polygon;
@@ -71,6 +76,7 @@ class ResidualSamples {
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
   void count_means(const ClusterState& shooter, Point& point);
   void from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point);
+  double light_of(const Point& point, std::size_t half, std::size_t band) const;
 
   const Occluders* occluders_;
   ResidualConfig config_;

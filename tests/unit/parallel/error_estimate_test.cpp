@@ -78,6 +78,31 @@ TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
   EXPECT_LT(estimate_error(history, emitted).total(), 0.02);
 }
 
+TEST(ErrorEstimate, WhatOneBandIsOffByIsNotReflectedByAnother) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
+  IterationSums& sums = history.back().sums;
+  history.back().plan.sample = true;
+  sums.arriving_power = {100.0, 100.0};
+  sums.returning_power = {10.0, 90.0};
+  sums.absorbed_power = sums.escaping_power = sums.beamed_power = {0.0, 0.0};
+  sums.residual = {{10.0, 10.0}, {0.0, 0.0}, {0.6, 0.1}, {0.0, 0.0}};
+  const ErrorEstimate estimate = estimate_error(history, {0.0, 0.0});
+  EXPECT_NEAR(estimate.total(), 0.9 * 0.01 / 3.0, 1e-9);
+  EXPECT_NEAR(estimate.patches, 0.06 * (1.0 + 0.1 / 3.0), 1e-9);
+}
+
+/// As points that are gathered for: a noisy one gets more rays.
+TEST(ErrorEstimate, NoiseIsNoMoreThanGatheredPointsAreLeftWith) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
+  history.back().plan.sample = true;
+  history.back().plan.sample_rays = 4096;
+  history.back().sums.residual = {{10.0}, {0.0}, {0.1}, {0.1}};  // 1%
+  const double some = estimate_error(history, emitted).total();
+  EXPECT_LT(some, 0.005);
+  history.back().sums.residual.off = history.back().sums.residual.noise = {0.8};  // 8%
+  EXPECT_GT(estimate_error(history, emitted).total(), 0.015);
+}
+
 TEST(ErrorEstimate, FollowsTheLinksAfterTheLastSamples) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0), summary(0.0)};
   history[1].plan.sample = true;

@@ -96,5 +96,15 @@ TEST(PointGather, NoisyPointsGetMoreRaysAndQuietOnesNone) {
   EXPECT_DOUBLE_EQ(enough, once);
 }
 
+TEST(PointGather, AsksForNoLessNoiseThanThePatchesAreWorth) {
+  PointGatherConfig config;
+  config.patch_error = 0.1;
+  EXPECT_DOUBLE_EQ(config.least_noise(), 0.005);
+  config.patch_error = 0.002;
+  EXPECT_DOUBLE_EQ(config.least_noise(), 0.001);
+  config.noise = 0.0;
+  EXPECT_DOUBLE_EQ(config.least_noise(), 0.0);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -65,6 +65,24 @@ TEST(ResidualSamples, FindLightThatIsWrongAllOver) {
   EXPECT_NEAR(wrong.surplus[0] / wrong.light[0], -0.05, 5e-3);
 }
 
+/// In a furnace every ray brings the same: how many meet what is not counted is no noise.
+TEST(ResidualSamples, AreExactWhereLightIsEven) {
+  Scene scene = testing::box_room({0, 0, 0}, {4, 5, 3}, {0.5}, {0.5});
+  testing::add_block(scene, {1, 1, 0.3}, {2, 2.5, 1.2}, {0.5}, {0.5});
+  Solved solved(scene, Basis::constant, 0.1);
+  const ResidualConfig config{.rays = 32, .per_area = 4.0, .mean_irradiance = 1.0};
+  for (ClusterState& state : solved.states) {
+    for (std::size_t i = 0; i < state.patches().size(); ++i) {
+      state.patches().radiosity(i)[0] = state.patches().irradiance(i)[0] = 1.0;
+    }
+  }
+  for (std::size_t c = 0; c < solved.states.size(); ++c) {
+    const ResidualSums sums = sampled(solved, c, config);
+    EXPECT_LT(sums.off[0], 1e-3 * sums.light[0]) << c;
+    EXPECT_LT(sums.noise[0], 1e-3 * sums.light[0]) << c;
+  }
+}
+
 TEST(ResidualSamples, NoPointsNoRays) {
   Solved solved(testing::box_room({0, 0, 0}, {1, 1, 1}, {0.5}, {0.5}), Basis::linear, 1e-2);
   WorkCount work;
