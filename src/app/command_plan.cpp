@@ -183,7 +183,10 @@ void add_subject_options(CLI::App& sub, PlanOptions& o) {
           std::vector<std::string>(assignment_names().begin(), assignment_names().end())))
       ->needs("--ranks")
       ->capture_default_str();
-  sub.add_option("--seed", o.seed, "Of kmeans and metis")->needs("--ranks")->capture_default_str();
+  sub.add_option("--seed", o.seed, "Of kmeans and metis")
+      ->needs("--ranks")
+      ->check(whole_number())
+      ->capture_default_str();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/output_file.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
@@ -55,9 +56,9 @@ void add_probe(CLI::App& cli, Command& chosen) {
                   "More rays, up to 16 times as many, where their noise is above this share of a "
                   "point's light and 1e-4 of the mean irradiance (0: never; default: half of the "
                   "estimated error of the patches, at most 0.005)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(share_of_one());
   sub->add_option("--seed", options->gather.seed, "Seed of the rays")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str();
   sub->footer(
       "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"

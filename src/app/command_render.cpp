@@ -164,7 +164,7 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
       ->group(group);
   sub.add_option("--lowest", o.scale.lowest,
                  "Lower end of the colour scale; default: from the picture")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from_zero())
       ->needs("--false-colour")
       ->group(group);
   sub.add_option("--highest", o.scale.highest,

@@ -8,7 +8,13 @@ namespace enfilade {
 
 /// A finite number above zero.
 CLI::Validator positive_number();
+/// A finite number, zero or above.
+CLI::Validator number_from_zero();
 /// A finite number with low < x < high.
 CLI::Validator number_between(double low, double high);
+/// 0 <= x <= 1.
+CLI::Validator share_of_one();
+/// A whole number of at most 19 digits, which 64 bits hold: a seed.
+CLI::Validator whole_number();
 
 }  // namespace enfilade

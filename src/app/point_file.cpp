@@ -1,5 +1,6 @@
 #include "app/point_file.hpp"
 
+#include "base/error.hpp"
 #include "scene/json_text.hpp"
 #include "scene/key_reader.hpp"
 
@@ -9,6 +10,9 @@ std::vector<Vec3> read_points(const std::string& path) {
   const nlohmann::json document = parse_json(read_bytes(path), path);
   const KeyReader keys(path);
   const bool probes = document.is_object() && document.contains("probes");
+  if (probes && document.contains("points")) {
+    throw InputError(path, "top level", "has both points and probes", "keep one of them");
+  }
   const std::string key = probes ? "probes" : "points";
   const nlohmann::json& list = document.is_array()
                                    ? document

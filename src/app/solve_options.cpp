@@ -157,7 +157,7 @@ void add_parallel_options(CLI::App& sub, SolveOptions& o) {
                  "time alone; a what-if takes seconds")
       ->group(group);
   sub.add_option("--seed", o.seed, "Seed of everything that draws lots")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str()
       ->group(group);
 }

@@ -72,9 +72,11 @@ class DescriptionReader {
          "write a number from " + shown(json(low)) + " to " + shown(json(high)));
   }
   int whole(const json& value, const std::string& key, double low, double high) const {
-    const double x = number(value, key, low, high);
-    if (x == std::floor(x)) return static_cast<int>(x);
-    fail(key, "is " + shown(value), "write a whole number");
+    const double x = value.is_number() ? value.get<double>() : std::nan("");
+    if (x == std::floor(x) && x >= low && x <= high) return static_cast<int>(x);
+    fail(key, "is " + shown(value),
+         "write a whole number from " + shown(json(static_cast<long>(low))) + " to " +
+             shown(json(static_cast<long>(high))));
   }
 
   void read_field(const BuildingField& field, const json& value) {

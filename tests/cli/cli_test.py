@@ -431,6 +431,14 @@ class Workflow(InScratch):
                             "probes[0]")
         self.assertEqual(self.leftovers(points), [])
 
+    def test_numbers_out_of_range_are_refused(self):
+        points = self.scratch / "points.json"
+        points.write_text('{"probes": [{"p": [1, 1, 1], "n": [0, 0, 1]}]}')
+        for option, value in (("--seed", "-3"), ("--seed", "2.5"), ("--seed", "9" * 20), ("--noise", "nan"),
+                              ("--noise", "1.1"), ("--rays", "0")):
+            self.assert_refused(enfilade("probe", self.run_directory, "--points", points, "-o",
+                                         self.scratch / "a.json", option, value), option)
+
     def test_locate(self):
         points, cells = self.scratch / "points.json", self.scratch / "cells.json"
         points.write_text('{"points": [[2, 1.5, 1.5], [1, 1, 0.3], [500, 500, 500]]}')
@@ -441,6 +449,13 @@ class Workflow(InScratch):
         self.assertTrue(all(isinstance(c, int) and c >= -1 for c in found))
         self.assertNotEqual(found[0], -1)
         self.assertEqual(found[0], found[1])
+
+    def test_locate_takes_points_or_probes_not_both(self):
+        points = self.scratch / "points.json"
+        points.write_text('{"points": [[2, 1.5, 1.5]], "probes": [{"p": [1, 1, 0.3]}]}')
+        self.assert_refused(enfilade("locate", self.run_directory, "--points", points, "-o", self.scratch / "c.json"),
+                            "both points and probes")
+        self.assertEqual(self.leftovers(points), [])
 
     def test_export_graph_names_every_surface(self):
         path = self.scratch / "graph.json"
