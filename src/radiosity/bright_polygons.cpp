@@ -52,14 +52,14 @@ BrightPolygons::BrightPolygons(std::span<const ClusterState> clusters, const Occ
   }
 }
 
-/// Form factor times visibility of a part of a bright polygon; partly hidden parts are cut in two
+/// Adds a part of a bright polygon as far as it is visible; partly hidden parts are cut in two
 /// until they matter less than the threshold.
-double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                      const Bright& b, const PatchShape& shape, double threshold,
-                                      int depth) const {
+void BrightPolygons::add_visible(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                                 const PatchShape& shape, double threshold, int depth,
+                                 SeenNode& sum) const {
   const PolygonFrame& frame = b.forest->frames()[b.k];
   const double factor = point_to_polygon(p, n, corners_of(*b.forest, b.k, shape));
-  if (factor <= 0.0) return 0.0;
+  if (factor <= 0.0) return;
   int open = 0, rays = 0;
   auto look = [&](const Vec2& at) {
     ++rays;
@@ -69,12 +69,14 @@ double BrightPolygons::visible_factor(const Vec3& p, const Vec3& n, std::uint32_
   if (factor > threshold) {
     for (const Vec2& c : shape.vertices) look(shape.centroid + 0.98 * (c - shape.centroid));
   }
-  if (open == rays) return factor;
-  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return 0.0;
-  if (factor <= threshold || depth >= 16) return factor * open / rays;
+  if (open == 0 && (factor <= 8.0 * threshold || depth >= 3)) return;
+  if (open == rays || factor <= threshold || depth >= 16) {
+    sum.add(factor * open / rays, shape.centroid - b.forest->node(b.k).shape.centroid);
+    return;
+  }
   auto [low, high] = shape.halves(shape.cut({}));
-  return visible_factor(p, n, own, b, low, threshold, depth + 1) +
-         visible_factor(p, n, own, b, high, threshold, depth + 1);
+  add_visible(p, n, own, b, low, threshold, depth + 1, sum);
+  add_visible(p, n, own, b, high, threshold, depth + 1, sum);
 }
 
 /// What each would give at p if nothing hid it.
@@ -133,7 +135,8 @@ BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n
     if (!exact(b)) {
       // A hidden part smaller than a thousandth of all that is bright here does not matter.
       const double threshold = 5e-4 * total_bright / b.top;
-      next.nodes = {{b.k, visible_factor(p, n, own, b, b.forest->node(b.k).shape, threshold, 0)}};
+      next.nodes = {SeenNode{b.k}};
+      add_visible(p, n, own, b, b.forest->node(b.k).shape, threshold, 0, next.nodes.front());
     }
     counted.polygons.push_back(next);
   }
@@ -149,10 +152,9 @@ BrightPolygons::Counted BrightPolygons::add_largest(const Vec3& p, const Vec3& n
   for (const CountedPolygon& polygon : counted.polygons) {
     const PatchForest& forest =
         clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
-    const auto terms = static_cast<std::size_t>(forest.terms());
-    for (const auto& [node, factor] : polygon.nodes) {
+    for (const SeenNode& node : polygon.nodes) {
       for (std::size_t band = 0; band < irradiance.size(); ++band) {
-        irradiance[band] += factor * (forest.radiosity(node)[band * terms] - counted.ambient[band]);
+        irradiance[band] += node.irradiance(forest, band) - node.factor * counted.ambient[band];
       }
     }
   }

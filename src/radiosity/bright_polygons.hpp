@@ -18,11 +18,12 @@ class BrightPolygons {
   BrightPolygons(std::span<const ClusterState> clusters, const Occluders& occluders);
 
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
-  /// Adds to `irradiance` what the mean radiosities of all of them give at p, and those of all
-  /// others that may give `least` of the light there (a share) and are hidden by few; of what
-  /// varies as much the means of its parts. Exactly, but for bright ones that many hide: these are
-  /// looked at as closely as they matter. `own`: the polygon that p lies on. What is added for a
-  /// direction is the mean of what was counted there, else `ambient`: rays have to find the rest.
+  /// Adds to `irradiance` what all of them give at p, by their affine radiosities, and those of all
+  /// others that may give `least` of the light there (a share) and are hidden by few; of what an
+  /// affine function leaves out as much those of its parts. Exactly, but for bright ones that many
+  /// hide: these are looked at as closely as they matter. `own`: the polygon that p lies on. What
+  /// is added for a direction is what was counted there, else `ambient`: rays have to find the
+  /// rest.
   struct CountedPolygon {
     std::uint32_t polygon;
     std::vector<SeenNode> nodes;
@@ -57,8 +58,8 @@ class BrightPolygons {
                                      const Vec3& n, std::uint32_t own);
   Spectrum ambient(std::span<const double> weights, const Counted& counted,
                    std::size_t bands) const;
-  double visible_factor(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                        const PatchShape& shape, double threshold, int depth) const;
+  void add_visible(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
+                   const PatchShape& shape, double threshold, int depth, SeenNode& sum) const;
 
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;

@@ -179,6 +179,11 @@ class PatchForest {
   /// Value of radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
   /// plane.
   void evaluate(bool radiosity, std::size_t polygon, const Vec3& p, std::span<double> out) const;
+  /// Value of the node's own affine function of radiosity at `shift` from its centroid.
+  double radiosity_at(std::size_t node, std::size_t band, const Vec2& shift) const {
+    const double* b = radiosity_.data() + node * stride() + band * static_cast<std::size_t>(terms_);
+    return b[0] + (terms_ == 3 ? b[1] * shift.x + b[2] * shift.y : 0.0);
+  }
 
  private:
   friend class ClusterStateCodec;

@@ -102,12 +102,11 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     if (ends || (bright.contains(hit.polygon) && is_counted == nullptr)) return;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
-    const auto terms = static_cast<std::size_t>(patches.terms());
     const Vec3 at = from + hit.distance_m * direction;
     const SeenNode* seen =
         is_counted != nullptr ? node_around(is_counted->nodes, patches, ref.polygon, at) : nullptr;
     for (std::size_t b = 0; b < bands && seen != nullptr; ++b) {
-      e[b] -= share * patches.radiosity(seen->node)[b * terms];
+      e[b] -= share * seen->radiosity(patches, b, at);
     }
     if (hit.distance_m > far_m(patches, ref.polygon, at) || bright.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);

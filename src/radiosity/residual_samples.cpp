@@ -151,9 +151,8 @@ void ResidualSamples::from(const PointLight& light) {
 
 void ResidualSamples::from(const ClusterState& shooter) {
   if (points_.empty()) return;
-  for (Point& point : points_) count_means(shooter, point);
+  for (Point& point : points_) count_nodes(shooter, point);
   const PatchForest& forest = shooter.patches();
-  const auto terms = static_cast<std::size_t>(forest.terms());
   const auto less = [](const Hit& hit, ClusterId id) { return hit.polygon.cluster < id; };
   std::vector<double> radiosity(bands_);
   const double share = 2.0 / config_.rays;
@@ -168,7 +167,7 @@ void ResidualSamples::from(const ClusterState& shooter) {
     const auto half = static_cast<std::size_t>(hit->half);
     if (counted != nullptr) point.counted_rays[half] += share;
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double had = counted != nullptr ? forest.radiosity(counted->node)[b * terms] : 0.0;
+      const double had = counted != nullptr ? counted->radiosity(forest, b, hit->y) : 0.0;
       point.light[half][b] += share * (radiosity[b] - had);
       if (counted == nullptr) point.left_to_rays[b] += share * radiosity[b];
       if (!bright) point.met_by_rays[b] += share * radiosity[b];
@@ -187,10 +186,9 @@ double ResidualSamples::share_of(const PatchForest& forest, std::uint32_t polygo
 }
 
 /// Closed forms of all that matters and is hidden by few, so that rays have only to find what
-/// differs from the mean radiosities; of bright ones behind many, rays to them.
-void ResidualSamples::count_means(const ClusterState& shooter, Point& point) {
+/// differs from the nodes' affine radiosities; of bright ones behind many, rays to them.
+void ResidualSamples::count_nodes(const ClusterState& shooter, Point& point) {
   const PatchForest& forest = shooter.patches();
-  const auto terms = static_cast<std::size_t>(forest.terms());
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   std::vector<SeenNode> nodes;
   point.counted.clear();
@@ -210,11 +208,10 @@ void ResidualSamples::count_means(const ClusterState& shooter, Point& point) {
   std::sort(point.counted.begin(), point.counted.end(),
             [](const SeenNode& a, const SeenNode& b) { return a.node < b.node; });
   work_->form_factors += point.counted.size();
-  for (const auto& [node, factor] : point.counted) {
-    point.counted_factor += factor;
+  for (const SeenNode& seen : point.counted) {
+    point.counted_factor += seen.factor;
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b)
-        half[b] += factor * forest.radiosity(node)[b * terms];
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += seen.irradiance(forest, b);
     }
   }
 }

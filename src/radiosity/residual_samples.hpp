@@ -54,8 +54,8 @@ class ResidualSamples {
     double area_m2;     ///< that it stands for
     double irradiance;  ///< on the patches, before; worst band
     std::array<Spectrum, 2> light;
-    std::vector<SeenNode> counted;  ///< of the shooter at hand: their mean radiosities are in light
-    double counted_factor = 0.0;    ///< of all shooters: form factors
+    std::vector<SeenNode> counted;         ///< of the shooter at hand: what they bring is in light
+    double counted_factor = 0.0;           ///< of all shooters: form factors
     std::array<double, 2> counted_rays{};  ///< and the share of the rays that met what was counted
     /// What rays brought, sum of both halves: those that met nothing counted, and all that met
     /// nothing bright.
@@ -74,7 +74,7 @@ class ResidualSamples {
   }
   double share_of(const PatchForest& forest, std::uint32_t polygon, const Point& point) const;
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
-  void count_means(const ClusterState& shooter, Point& point);
+  void count_nodes(const ClusterState& shooter, Point& point);
   void from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point);
   double light_of(const Point& point, std::size_t half, std::size_t band) const;
 

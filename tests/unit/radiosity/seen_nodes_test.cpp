@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
+#include "base/sampling.hpp"
 #include "box_room.hpp"
 #include "radiosity/form_factor.hpp"
 
@@ -25,7 +26,7 @@ testing::Solved lit_corner() {
   return testing::Solved(scene, Basis::linear, 1e-3);
 }
 constexpr std::uint32_t wall = 2;  // x = 0
-const Vec3 point(3.5, 2, 0), up(0, 0, 1);
+const Vec3 point(3.5, 0.5, 0), up(0, 0, 1);
 
 double sum(const std::vector<SeenNode>& nodes) {
   double factor = 0.0;
@@ -49,6 +50,44 @@ TEST(SeenNodes, GoAsFarDownAsTheLightVaries) {
   EXPECT_NEAR(sum(all), sum(whole), 1e-9);
   const double bare = point_to_polygon(point, up, solved.clusters[wall].polygons[0].polygon);
   EXPECT_LT(sum(whole), 0.9 * bare);
+  EXPECT_GT(sum(whole), 0.1 * bare);
+}
+
+/// Light that rises along a wall half hidden by a screen, against many rays to the wall.
+TEST(SeenNodes, TellWhereInThemTheLightComesFrom) {
+  testing::Solved solved = lit_corner();
+  PatchForest& forest = solved.states[wall].patches();
+  const double slope = 2.0;
+  for (std::size_t i = 0; i < forest.size(); ++i) {
+    const Vec3 centre = forest.frames()[0].at(forest.node(i).shape.centroid);
+    std::span<double> light = forest.radiosity(i);
+    light[0] = 1.0 + slope * centre.z;
+    light[1] = slope * forest.frames()[0].u.z;
+    light[2] = slope * forest.frames()[0].v.z;
+  }
+  SeenNodes seen(solved.occluders);
+  for (const Vec3& p : {point, Vec3(0.05, 1, 0), Vec3(1.5, 3.9, 0)}) {
+    std::vector<SeenNode> nodes;
+    ASSERT_TRUE(seen.look(p, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 5e-3, nodes));
+    double brings = 0.0, light = 0.0;
+    int open = 0;
+    for (const SeenNode& node : nodes) brings += node.irradiance(forest, 0);
+    // Directions, each of them as much of the hemisphere's projection.
+    constexpr int side = 1000;
+    for (int i = 0; i < side * side; ++i) {
+      const Vec3 d = cosine_direction(up, (i / side + 0.5) / side, (i % side + 0.5) / side);
+      if (d.x >= 0.0) continue;
+      const Vec3 y = p - p.x / d.x * d;
+      if (y.y < 0.0 || y.y > 4.0 || y.z < 0.0 || y.z > 3.0) continue;
+      if (solved.occluders.rays().occluded(p, y, RayScene::no_polygon,
+                                           solved.occluders.global(ClusterId(wall), 0)))
+        continue;
+      light += 1.0 + slope * y.z;
+      ++open;
+    }
+    EXPECT_NEAR(sum(nodes), open / double{side * side}, 5e-3 * sum(nodes)) << p.x;
+    EXPECT_NEAR(brings / sum(nodes), light / open, 1e-3 * light / open) << p.x;
+  }
 }
 
 TEST(SeenNodes, EveryPlaceOfThePolygonLiesInOne) {
