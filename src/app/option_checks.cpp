@@ -45,7 +45,7 @@ CLI::Validator share_of_one() {
 CLI::Validator whole_number() {
   return CLI::Validator(
       [](std::string& text) -> std::string {
-        const bool good = !text.empty() && text.size() < 20 &&
+        const bool good = !text.empty() && text.size() < 20 && (text == "0" || text[0] != '0') &&
                           text.find_first_not_of("0123456789") == std::string::npos;
         return good ? "" : "'" + text + "' is not a whole number of at most 19 digits";
       },

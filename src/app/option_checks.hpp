@@ -14,7 +14,7 @@ CLI::Validator number_from_zero();
 CLI::Validator number_between(double low, double high);
 /// 0 <= x <= 1.
 CLI::Validator share_of_one();
-/// A whole number of at most 19 digits, which 64 bits hold: a seed.
+/// A whole number of at most 19 digits, the first no idle 0: a seed.
 CLI::Validator whole_number();
 
 }  // namespace enfilade

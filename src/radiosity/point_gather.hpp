@@ -25,7 +25,7 @@ struct PointGatherConfig {
 
   /// `noise`, or by default half of `patch_error` and at most 0.005: what the patches are known to
   /// is not to be lost in noise, and rays would be lost on patches that are known no better.
-  double least_noise() const { return noise.value_or(std::min(0.5 * patch_error, 0.005)); }
+  double least_noise() const { return noise.value_or(std::clamp(0.5 * patch_error, 3e-4, 0.005)); }
 };
 
 /// Holds on to the clusters (in order of their ids), lights and occluders, which must outlive it.
