@@ -1,8 +1,8 @@
 #include "cluster_figures.hpp"
 
-#include "radiosity/cluster_state.hpp"
-#include "store/manifest.hpp"
-#include "store/section_file.hpp"
+#include "hierarchy/cluster_state.hpp"
+#include "run/manifest.hpp"
+#include "run/section_file.hpp"
 
 namespace enfilade::bench {
 

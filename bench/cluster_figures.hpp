@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "parallel/prepare.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade::bench {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/box_tree.hpp"
-#include "scene/polygon.hpp"
+#include "geometry/box_tree.hpp"
+#include "geometry/polygon.hpp"
 
 namespace enfilade::bench {
 

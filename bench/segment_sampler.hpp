@@ -7,8 +7,8 @@
 
 #include "base/random.hpp"
 #include "exact_sight.hpp"
-#include "parallel/prepare.hpp"
 #include "raycast/ray_scene.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade::bench {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "radiosity/form_factor.hpp"
+#include "geometry/form_factor.hpp"
 #include "raycast/ray_scene.hpp"
 
 namespace enfilade::bench {

@@ -1,9 +1,10 @@
 // Cells and G_cluster of a row of rooms with doors and furniture. Argument: rooms.
 #include <benchmark/benchmark.h>
 
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
+#include "cells/rooms/build_cells.hpp"
 #include "clusters/cluster.hpp"
-#include "unit/cells/plan_scenes.hpp"
+#include "unit/cells/rooms/plan_scenes.hpp"
 #include "visibility/cluster_graph.hpp"
 
 namespace enfilade::bench {

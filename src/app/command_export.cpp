@@ -9,8 +9,8 @@
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
-#include "report/solution_glb.hpp"
-#include "scene/scene_io.hpp"
+#include "report/export/solution_glb.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

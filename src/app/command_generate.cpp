@@ -6,10 +6,10 @@
 #include "app/output_file.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
-#include "modeler/description.hpp"
+#include "building_file/description.hpp"
+#include "json/json_text.hpp"
 #include "modeler/generate.hpp"
-#include "scene/json_text.hpp"
-#include "scene/scene_stream.hpp"
+#include "scene_file/scene_stream.hpp"
 
 namespace enfilade {
 

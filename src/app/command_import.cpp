@@ -6,7 +6,8 @@
 #include "app/output_file.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
-#include "scene/scene_io.hpp"
+#include "import/import_model.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

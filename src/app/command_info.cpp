@@ -10,10 +10,10 @@
 #include "app/command.hpp"
 #include "app/prepared_figures.hpp"
 #include "app/solve_summary.hpp"
-#include "parallel/leak_file.hpp"
-#include "report/stats_json.hpp"
+#include "import/import_model.hpp"
+#include "run/leak_file.hpp"
+#include "run/stats_json.hpp"
 #include "scene/equal_bands.hpp"
-#include "scene/scene_io.hpp"
 
 namespace enfilade {
 
@@ -78,7 +78,7 @@ void run_info(const std::string& input, Session& session) {
   TextTable table(input);
   if (std::error_code code; !std::filesystem::is_directory(input, code)) {
     Warnings warnings;
-    add_scene(table, read_scene(input, warnings));
+    add_scene(table, read_scene_or_model(input, warnings));
     session.console().warnings(warnings);
   } else {
     const Prepared prepared = load_prepared(input);

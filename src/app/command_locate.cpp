@@ -7,8 +7,8 @@
 #include "app/output_file.hpp"
 #include "app/point_file.hpp"
 #include "app/text_table.hpp"
-#include "parallel/prepare.hpp"
-#include "scene/scene_io.hpp"
+#include "run/prepare.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

@@ -14,12 +14,12 @@
 #include "app/text_table.hpp"
 #include "assignment/assignment.hpp"
 #include "base/error.hpp"
-#include "parallel/leak_file.hpp"
-#include "parallel/prepare.hpp"
-#include "parallel/solve.hpp"
-#include "report/plan_leaks.hpp"
-#include "report/stats_json.hpp"
-#include "scene/scene_io.hpp"
+#include "report/plans/plan_leaks.hpp"
+#include "run/leak_file.hpp"
+#include "run/prepare.hpp"
+#include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade {
 

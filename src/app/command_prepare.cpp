@@ -7,10 +7,10 @@
 #include "app/prepared_figures.hpp"
 #include "app/run_outputs.hpp"
 #include "app/text_table.hpp"
-#include "parallel/leak_file.hpp"
-#include "parallel/prepare.hpp"
-#include "report/plan_leaks.hpp"
-#include "scene/scene_io.hpp"
+#include "import/import_model.hpp"
+#include "report/plans/plan_leaks.hpp"
+#include "run/leak_file.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade {
 
@@ -25,7 +25,7 @@ struct PrepareOptions {
 void run_prepare(const PrepareOptions& options, Session& session) {
   const Console& console = session.console();
   Warnings warnings;
-  const Scene scene = read_scene(options.scene, warnings);
+  const Scene scene = read_scene_or_model(options.scene, warnings);
   PrepareConfig config;
   config.visibility.prove_hidden = options.prove_hidden;
   const Prepared prepared = prepare(scene, options.run, config, warnings, console.progress());

@@ -8,7 +8,7 @@
 #include "app/output_file.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
-#include "scene/scene_io.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

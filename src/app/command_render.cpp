@@ -10,11 +10,11 @@
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
 #include "base/error.hpp"
-#include "report/camera.hpp"
-#include "report/false_colour.hpp"
-#include "report/render.hpp"
-#include "report/tone_mapping.hpp"
-#include "scene/scene_io.hpp"
+#include "report/pictures/camera.hpp"
+#include "report/pictures/false_colour.hpp"
+#include "report/pictures/render.hpp"
+#include "report/pictures/tone_mapping.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

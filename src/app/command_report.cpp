@@ -7,8 +7,8 @@
 #include "app/run_outputs.hpp"
 #include "app/solved_run.hpp"
 #include "app/text_table.hpp"
-#include "report/html_report.hpp"
-#include "scene/scene_io.hpp"
+#include "report/page/html_report.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

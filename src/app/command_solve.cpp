@@ -15,15 +15,17 @@
 #include "app/solve_options.hpp"
 #include "app/solve_summary.hpp"
 #include "base/error.hpp"
-#include "parallel/history.hpp"
-#include "parallel/prepare.hpp"
-#include "parallel/rank_profiles.hpp"
-#include "parallel/replay.hpp"
-#include "parallel/solve.hpp"
-#include "report/rank_timeline.hpp"
-#include "report/stats_json.hpp"
-#include "scene/scene_io.hpp"
-#include "store/posix_file.hpp"
+#include "base/posix_file.hpp"
+#include "import/import_model.hpp"
+#include "report/page/rank_timeline.hpp"
+#include "run/history.hpp"
+#include "run/prepare.hpp"
+#include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
+#include "schemes/protocol/prepare_on_root.hpp"
+#include "schemes/protocol/rank_profiles.hpp"
+#include "schemes/replay/replay.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade {
 
@@ -61,6 +63,12 @@ void check_local_directory(const std::string& directory) {
       "name a directory that can");
 }
 
+/// Nothing for a RUN directory that is solved in place.
+SceneSource source_of(const std::string& scene_file) {
+  if (scene_file.empty()) return {};
+  return [scene_file](Warnings& warnings) { return read_scene_or_model(scene_file, warnings); };
+}
+
 void run_solve(const SolveOptions& options, Session& session) {
   const Console& console = session.console();
   Communicator& communicator = session.communicator();
@@ -70,8 +78,9 @@ void run_solve(const SolveOptions& options, Session& session) {
   Warnings warnings;
   PrepareConfig prepare_config;  // proofs of what is hidden pay where there are millions of links
   prepare_config.visibility.prove_hidden = false;
-  Prepared prepared = prepare_on_root(communicator, options.scene_file(), config.run_directory,
-                                      prepare_config, warnings, console.progress(), config.resume);
+  Prepared prepared =
+      prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
+                      prepare_config, warnings, console.progress(), config.resume);
   console.warnings(warnings);
 
   communicator.on_root([&] {

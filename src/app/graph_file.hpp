@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "parallel/prepare.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade {
 

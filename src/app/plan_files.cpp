@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "scene/scene_io.hpp"
-#include "store/posix_file.hpp"
+#include "base/posix_file.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

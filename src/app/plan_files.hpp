@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "report/floor_plan.hpp"
+#include "report/plans/floor_plan.hpp"
 
 namespace enfilade {
 

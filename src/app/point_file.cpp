@@ -1,8 +1,8 @@
 #include "app/point_file.hpp"
 
 #include "base/error.hpp"
-#include "scene/json_text.hpp"
-#include "scene/key_reader.hpp"
+#include "json/json_text.hpp"
+#include "scene_file/key_reader.hpp"
 
 namespace enfilade {
 

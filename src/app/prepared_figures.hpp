@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/text_table.hpp"
-#include "cells/leaks.hpp"
-#include "parallel/prepare.hpp"
+#include "cells/rooms/leaks.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade {
 

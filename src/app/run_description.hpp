@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/run_record.hpp"
-#include "parallel/prepare.hpp"
-#include "parallel/solve.hpp"
+#include "run/prepare.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade {
 

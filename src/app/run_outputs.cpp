@@ -7,13 +7,13 @@
 
 #include "app/plan_files.hpp"
 #include "app/solved_run.hpp"
-#include "parallel/error_estimate.hpp"
-#include "report/camera.hpp"
-#include "report/solution_glb.hpp"
-#include "report/stats_json.hpp"
-#include "report/surfaces_csv.hpp"
-#include "scene/scene_io.hpp"
-#include "store/posix_file.hpp"
+#include "base/posix_file.hpp"
+#include "report/export/solution_glb.hpp"
+#include "report/export/surfaces_csv.hpp"
+#include "report/pictures/camera.hpp"
+#include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
+#include "solver/error_estimate.hpp"
 
 namespace enfilade {
 
@@ -35,12 +35,9 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("relative_change", summary.sums.received_power > 0.0
                                     ? summary.sums.change_power / summary.sums.received_power
                                     : 0.0);
-  record.set("max_change", summary.sums.max_change);
-  record.set("change_power", summary.sums.change_power);
-  record.set("received_power", summary.sums.received_power);
-  record.set("patches", summary.sums.patches);
-  record.set("links", summary.sums.links);
-  record.set("rays", summary.sums.work.rays);
+  for_each_figure([&](const FigureName& figure, auto access) {
+    if constexpr (!is_spectrum<decltype(access)>) record.set(figure.name, access(summary.sums));
+  });
   record.set("time_s", summary.time_s);
   return record;
 }

@@ -8,9 +8,9 @@
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
 #include "base/warnings.hpp"
-#include "parallel/prepare.hpp"
-#include "parallel/solve.hpp"
-#include "report/html_report.hpp"
+#include "report/page/html_report.hpp"
+#include "run/prepare.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "parallel/solve.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace CLI {
 class App;

@@ -6,7 +6,7 @@
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
 #include "base/warnings.hpp"
-#include "parallel/solve.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade {
 

@@ -1,9 +1,9 @@
 #include "app/solved_run.hpp"
 
 #include "base/error.hpp"
-#include "parallel/history.hpp"
+#include "run/history.hpp"
+#include "run/solution.hpp"
 #include "scene/equal_bands.hpp"
-#include "store/solution.hpp"
 
 namespace enfilade {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "parallel/prepare.hpp"
-#include "radiosity/occluders.hpp"
-#include "radiosity/point_gather.hpp"
-#include "report/solved_scene.hpp"
+#include "final_gather/point_gather.hpp"
+#include "occluders/occluders.hpp"
+#include "report/pictures/solved_scene.hpp"
+#include "run/prepare.hpp"
 
 namespace enfilade {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "cells/cell_complex.hpp"
-#include "cells/convex.hpp"
+#include "cells/partition/cell_complex.hpp"
+#include "geometry/convex.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {

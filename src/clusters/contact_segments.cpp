@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace enfilade {
 namespace {

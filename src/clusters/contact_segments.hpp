@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clusters/cluster.hpp"
-#include "scene/polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace enfilade {
 

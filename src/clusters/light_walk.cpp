@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/sampling.hpp"
+#include "geometry/sampling.hpp"
 
 namespace enfilade {
 namespace {

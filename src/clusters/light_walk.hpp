@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
 #include "raycast/ray_scene.hpp"
 #include "scene/scene.hpp"
 

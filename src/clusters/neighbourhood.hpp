@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace enfilade {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <queue>
 
-#include "cells/convex.hpp"
 #include "clusters/contact_segments.hpp"
 #include "clusters/light_walk.hpp"
+#include "geometry/convex.hpp"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {

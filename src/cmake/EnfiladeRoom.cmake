@@ -16,7 +16,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# enfilade_room(NAME SOURCES a.cpp ... [USES room_or_library ...] [PRIVATE library ...])
+# enfilade_room(NAME SOURCES a.cpp ... [USES room_or_library ...] [PRIVATE library ...]); NAME is the folder below src
+# with _ for /.
 function(enfilade_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE" ${ARGN})
   add_library(enfilade_${name} STATIC ${ROOM_SOURCES})

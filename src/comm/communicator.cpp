@@ -23,6 +23,9 @@ void check(int code, const char* call) {
                  " failed: " + std::string(text, static_cast<std::size_t>(length)));
 }
 
+/// The tag of a message's part: its bytes go on in the next one from that rank.
+constexpr int part_tag = 0;
+
 /// Messages on their way before those that have arrived are looked for.
 constexpr std::size_t most_sending = 64;
 
@@ -42,12 +45,12 @@ struct Communicator::Impl {
   std::vector<std::byte> inbox = std::vector<std::byte>(1 << 20);
   std::map<int, std::vector<std::byte>> parts;  ///< of messages that have not come whole, by sender
 
-  void start(int to, Tag tag, std::vector<std::byte> bytes) {
+  void start(int to, int tag, std::vector<std::byte> bytes) {
     ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
     if (sending.size() >= most_sending) drop_sent();
     Pending& p = sending.emplace_back(Pending{std::move(bytes), MPI_REQUEST_NULL});
-    check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to,
-                    static_cast<int>(tag), comm, &p.request),
+    check(MPI_Isend(p.bytes.data(), static_cast<int>(p.bytes.size()), MPI_BYTE, to, tag, comm,
+                    &p.request),
           "MPI_Isend");
   }
   /// Forgets what MPI has taken, so that one who sends much keeps little.
@@ -59,17 +62,17 @@ struct Communicator::Impl {
     });
   }
   /// What is longer than the inbox goes in parts; those of one sender arrive in order.
-  void send(Rank to, Tag tag, std::vector<std::byte> bytes) {
+  void send(Rank to, int tag, std::vector<std::byte> bytes) {
     ++sent.messages;
     sent.bytes += bytes.size();
     auto at = bytes.begin();
     const auto part = static_cast<std::ptrdiff_t>(inbox.size());
-    for (; bytes.end() - at > part; at += part) start(to.value, Tag::part, {at, at + part});
+    for (; bytes.end() - at > part; at += part) start(to.value, part_tag, {at, at + part});
     bytes.erase(bytes.begin(), at);
     start(to.value, tag, std::move(bytes));
   }
   /// Receives a message from `source`; none where more parts are to follow.
-  std::optional<Received> take(int source) {
+  std::optional<Envelope> take(int source) {
     MPI_Status status;
     check(MPI_Recv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, source, MPI_ANY_TAG,
                    comm, &status),
@@ -77,16 +80,12 @@ struct Communicator::Impl {
     int count = 0;
     check(MPI_Get_count(&status, MPI_BYTE, &count), "MPI_Get_count");
     const std::span<const std::byte> bytes(inbox.data(), static_cast<std::size_t>(count));
-    const auto tag = static_cast<Tag>(status.MPI_TAG);
-    std::vector<std::byte>& before = parts[status.MPI_SOURCE];
-    if (tag == Tag::part || !before.empty())
-      before.insert(before.end(), bytes.begin(), bytes.end());
-    std::optional<Received> received;
-    if (tag != Tag::part) {
-      received = {Rank{status.MPI_SOURCE}, decode(tag, before.empty() ? bytes : before)};
-      parts.erase(status.MPI_SOURCE);
-    }
-    return received;
+    std::vector<std::byte>& whole = parts[status.MPI_SOURCE];
+    whole.insert(whole.end(), bytes.begin(), bytes.end());
+    if (status.MPI_TAG == part_tag) return std::nullopt;
+    Envelope envelope{Rank{status.MPI_SOURCE}, status.MPI_TAG, std::move(whole)};
+    parts.erase(status.MPI_SOURCE);
+    return envelope;
   }
   void finish() {
     while (!sending.empty()) {
@@ -123,27 +122,28 @@ Rank Communicator::rank() const { return Rank{impl_->rank}; }
 int Communicator::size() const { return impl_->size; }
 const MessageCount& Communicator::sent() const { return impl_->sent; }
 
-void Communicator::send(Rank to, const Message& message) {
-  impl_->send(to, tag_of(message), encode(message));
+void Communicator::send(Rank to, int tag, std::vector<std::byte> bytes) {
+  ENFILADE_CHECK(tag != part_tag, "a message without a tag");
+  impl_->send(to, tag, std::move(bytes));
 }
 
-std::optional<Received> Communicator::poll() {
+std::optional<Envelope> Communicator::poll() {
   while (true) {
     int arrived = 0;
     MPI_Status status;
     check(MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, impl_->comm, &arrived, &status), "MPI_Iprobe");
     if (arrived == 0) return std::nullopt;
-    if (auto received = impl_->take(status.MPI_SOURCE)) return received;
+    if (auto envelope = impl_->take(status.MPI_SOURCE)) return envelope;
   }
 }
 
-Received Communicator::receive(Machine& machine) {
+Envelope Communicator::receive(Machine& machine) {
   machine.settle();
   while (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
-    if (auto received = impl_->take(MPI_ANY_SOURCE)) return std::move(*received);
+    if (auto envelope = impl_->take(MPI_ANY_SOURCE)) return std::move(*envelope);
   }
   for (int turn = 0;; ++turn) {
-    if (auto received = poll()) return std::move(*received);
+    if (auto envelope = poll()) return std::move(*envelope);
     machine.pause(turn);
   }
 }

@@ -2,6 +2,7 @@
 // against Open MPI and once against SimGrid's SMPI, from the same sources.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,7 +13,6 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "comm/messages.hpp"
 #include "machine/machine.hpp"
 
 namespace enfilade {
@@ -30,6 +30,14 @@ class PeerFailure : public std::runtime_error {
 
 /// 2 for bad input, 1 for a run that broke.
 int exit_status_of(const std::exception& error);
+
+/// A message as it came: who sent it, its tag, its bytes. What they mean is the sender's and the
+/// receiver's affair (schemes/protocol/messages.hpp).
+struct Envelope {
+  Rank from;
+  int tag = 0;  ///< 1 or more
+  std::vector<std::byte> bytes;
+};
 
 /// Point-to-point messages sent by this rank, and their payload.
 struct MessageCount {
@@ -51,12 +59,12 @@ class Communicator {
   /// The next rank in the ring of §3.3.4.
   Rank successor() const { return Rank{(rank().value + 1) % size()}; }
 
-  /// Never blocks: the bytes are kept until they are gone.
-  void send(Rank to, const Message& message);
+  /// Never blocks: the bytes are kept until they are gone. `tag` is 1 or more.
+  void send(Rank to, int tag, std::vector<std::byte> bytes);
   /// The next message from anybody, if there is one now.
-  std::optional<Received> poll();
+  std::optional<Envelope> poll();
   /// Waits for the next message from anybody; pauses as the machine sees fit.
-  Received receive(Machine& machine);
+  Envelope receive(Machine& machine);
   /// Waits until all that this rank has sent has left. Only when its receivers are sure to take it.
   void finish_sends();
   const MessageCount& sent() const;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/geometry.hpp"
-#include "scene/polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace enfilade {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "scene/convex_merge.hpp"
-#include "scene/triangulation.hpp"
+#include "geometry/convex_merge.hpp"
+#include "geometry/triangulation.hpp"
 
 namespace enfilade {
 namespace {

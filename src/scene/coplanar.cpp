@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "scene/convex_parts.hpp"
 
 namespace enfilade {

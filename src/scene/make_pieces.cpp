@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "base/error.hpp"
+#include "json/json_text.hpp"
 #include "scene/convex_parts.hpp"
 #include "scene/coplanar.hpp"
 #include "scene/facing.hpp"
-#include "scene/json_text.hpp"
 
 namespace enfilade {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/ids.hpp"
 #include "base/warnings.hpp"
-#include "scene/polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace enfilade {
 

@@ -1,10 +1,10 @@
 // A rank's way to the clusters' sections, wherever they lie: on a disk (ClusterStore), or with a
-// master (parallel/remote_files.hpp).
+// master (schemes/master/remote_files.hpp).
 #pragma once
 
 #include <span>
 
-#include "store/section_file.hpp"
+#include "run/section_file.hpp"
 
 namespace enfilade {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "machine/machine.hpp"
+#include "run/run_layout.hpp"
+#include "run/section_shelf.hpp"
 #include "store/cluster_files.hpp"
-#include "store/run_layout.hpp"
-#include "store/section_shelf.hpp"
 
 namespace enfilade {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "radiosity/cluster_state.hpp"
+#include "hierarchy/cluster_state.hpp"
 
 namespace enfilade {
 

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "hierarchy/cluster_state.hpp"
 #include "machine/machine.hpp"
-#include "radiosity/cluster_state.hpp"
 #include "store/cluster_files.hpp"
 #include "store/cluster_table.hpp"
 #include "store/placement.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "visibility/half_spaces.hpp"
+#include "geometry/half_spaces.hpp"
 
 namespace enfilade {
 

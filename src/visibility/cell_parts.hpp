@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
 #include "clusters/cluster.hpp"
 #include "visibility/portal_search.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
 #include "clusters/cluster.hpp"
 #include "visibility/occlusion.hpp"
 

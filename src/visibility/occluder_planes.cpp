@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cells/plane_set.hpp"
+#include "cells/partition/plane_set.hpp"
 
 namespace enfilade {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "cells/cell_complex.hpp"
+#include "cells/partition/cell_complex.hpp"
+#include "geometry/half_spaces.hpp"
 #include "visibility/beam.hpp"
-#include "visibility/half_spaces.hpp"
 
 namespace enfilade {
 

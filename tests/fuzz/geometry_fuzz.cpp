@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fuzz_target.hpp"
-#include "radiosity/form_factor.hpp"
+#include "geometry/form_factor.hpp"
 #include "scene/convex_parts.hpp"
 
 namespace enfilade::fuzz {

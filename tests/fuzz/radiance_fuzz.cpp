@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "fuzz_target.hpp"
-#include "scene/radiance_import.hpp"
+#include "import/radiance_import.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace enfilade;

@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "fuzz_target.hpp"
-#include "scene/scene_io.hpp"
+#include "scene_file/scene_io.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace enfilade;

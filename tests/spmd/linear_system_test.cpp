@@ -8,7 +8,7 @@
 
 #include "check.hpp"
 #include "linear_system_work.hpp"
-#include "parallel/spmd.hpp"
+#include "schemes/spmd/spmd.hpp"
 
 namespace enfilade::spmd_tests {
 namespace {

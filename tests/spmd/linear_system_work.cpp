@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/posix_file.hpp"
 #include "base/random.hpp"
-#include "store/posix_file.hpp"
 
 namespace enfilade::spmd_tests {
 namespace {
@@ -94,7 +94,7 @@ std::vector<double> LinearSystemWork::values(ClusterId id) {
   return doubles(store_.read_patches(id).bytes);
 }
 
-IterationSums LinearSystemWork::gather(ClusterId receiver) {
+IterationFigures LinearSystemWork::gather(ClusterId receiver) {
   if (labour_) labour_(receiver);
   const std::size_t size = system_.block_size, first = receiver.index() * size;
   std::vector<double> x(system_.size(), 0.0);
@@ -105,7 +105,7 @@ IterationSums LinearSystemWork::gather(ClusterId receiver) {
   load(receiver.index());
   for (const std::uint32_t n : system_.graph.neighbours(receiver.index())) load(n);
 
-  IterationSums sums;
+  IterationFigures sums;
   for (std::size_t i = first; i < first + size; ++i) {
     double value = system_.b[i];
     for (std::size_t j = 0; j < x.size(); ++j) value += system_.m(i, j) * x[j];

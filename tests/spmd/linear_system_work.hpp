@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "parallel/cluster_work.hpp"
+#include "run/manifest.hpp"
+#include "schemes/protocol/cluster_work.hpp"
 #include "store/cluster_store.hpp"
-#include "store/manifest.hpp"
 #include "visibility/cluster_graph.hpp"
 
 namespace enfilade::spmd_tests {
@@ -38,7 +38,7 @@ class LinearSystemWork final : public ClusterWork {
   void begin(const IterationPlan& plan, std::span<const double>) override {
     store_.set_committed(plan.iteration - 1);
   }
-  IterationSums gather(ClusterId receiver) override;
+  IterationFigures gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return gathered_; }
   void move_to_common() override { store_.move_to_common(); }
   void commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,

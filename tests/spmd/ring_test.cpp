@@ -1,5 +1,5 @@
 // The token ring of §3.3.4: everybody's numbers come together, everybody hears the verdict.
-#include "parallel/ring.hpp"
+#include "schemes/spmd/ring.hpp"
 #include "check.hpp"
 #include "visibility/cluster_graph.hpp"
 
@@ -60,13 +60,13 @@ void long_message(Context& context) {
   Communicator& c = context.communicator;
   constexpr std::size_t numbers = 400'000;
   const double rank = c.rank().value;
-  c.send(Rank{0}, Token{{rank}, {}, {}});
-  c.send(Rank{0}, Token{{rank}, std::vector<double>(numbers, rank + 0.5), {}});
-  c.send(Rank{0}, Token{{rank}, {1.0}, {}});
+  send(c, Rank{0}, Token{{rank}, {}, {}});
+  send(c, Rank{0}, Token{{rank}, std::vector<double>(numbers, rank + 0.5), {}});
+  send(c, Rank{0}, Token{{rank}, {1.0}, {}});
   if (c.root()) {
     std::vector<std::size_t> seen(static_cast<std::size_t>(c.size()), 0);
     for (int i = 0; i < 3 * c.size(); ++i) {
-      const Received received = c.receive(context.machine);
+      const Received received = receive(c, context.machine);
       const Token& token = std::get<Token>(received.message);
       std::size_t& turn = seen[static_cast<std::size_t>(received.from.value)];
       const std::size_t expected = turn == 0 ? 0 : turn == 1 ? numbers : 1;

@@ -4,12 +4,13 @@
 #include <iostream>
 
 #include "check.hpp"
-#include "parallel/prepare.hpp"
-#include "parallel/replay.hpp"
-#include "parallel/solve.hpp"
-#include "scene/scene_io.hpp"
-#include "store/manifest.hpp"
-#include "store/solution.hpp"
+#include "run/manifest.hpp"
+#include "run/prepare.hpp"
+#include "run/solution.hpp"
+#include "scene_file/scene_io.hpp"
+#include "schemes/protocol/prepare_on_root.hpp"
+#include "schemes/replay/replay.hpp"
+#include "schemes/solve/solve.hpp"
 
 namespace enfilade::spmd_tests {
 namespace {
@@ -61,7 +62,9 @@ Prepared prepared_furnace(Context& context, const std::string& run) {
     write_scene(furnace(), scene_file);
   });
   Warnings warnings;
-  return prepare_on_root(context.communicator, scene_file, run, {}, warnings);
+  return prepare_on_root(
+      context.communicator,
+      [&scene_file](Warnings& found) { return read_scene(scene_file, found); }, run, {}, warnings);
 }
 
 /// Mean radiosity of each cluster; on rank 0.

@@ -1,9 +1,10 @@
 // Reads a scene through the installed package and prints how many cells its space falls into.
 #include <iostream>
 
-#include "cells/cell_complex.hpp"
-#include "radiosity/occluders.hpp"
-#include "scene/scene_io.hpp"
+#include "cells/partition/cell_complex.hpp"
+#include "cells/rooms/build_cells.hpp"
+#include "occluders/occluders.hpp"
+#include "scene_file/scene_io.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "scene/scene_io.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 namespace {

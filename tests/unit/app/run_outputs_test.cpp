@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "scene/scene_io.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "../visibility/test_graphs.hpp"
 #include "base/error.hpp"
+#include "unit/visibility/test_graphs.hpp"
 
 namespace enfilade {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../visibility/test_graphs.hpp"
+#include "unit/visibility/test_graphs.hpp"
 
 namespace enfilade {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "assignment/assignment.hpp"
-#include "warshall.hpp"
+#include "unit/assignment/warshall.hpp"
 
 namespace enfilade {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "warshall.hpp"
+#include "unit/assignment/warshall.hpp"
 
 namespace enfilade {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "../visibility/test_graphs.hpp"
+#include "unit/visibility/test_graphs.hpp"
 
 namespace enfilade::test {
 

@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
-#include "../cells/plan_scenes.hpp"
-#include "cells/plane_set.hpp"
+#include "cells/partition/plane_set.hpp"
+#include "cells/rooms/build_cells.hpp"
+#include "unit/cells/rooms/plan_scenes.hpp"
 
 namespace enfilade {
 namespace {

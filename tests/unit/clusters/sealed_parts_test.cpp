@@ -4,8 +4,9 @@
 
 #include <map>
 
-#include "../cells/plan_scenes.hpp"
+#include "cells/rooms/build_cells.hpp"
 #include "clusters/cluster.hpp"
+#include "unit/cells/rooms/plan_scenes.hpp"
 
 namespace enfilade {
 namespace {

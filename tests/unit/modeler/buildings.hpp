@@ -1,7 +1,7 @@
 // Buildings that the modeler's tests make.
 #pragma once
 
-#include "modeler/description.hpp"
+#include "building_file/description.hpp"
 #include "modeler/generate.hpp"
 
 namespace enfilade::testing {

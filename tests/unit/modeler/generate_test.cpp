@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/random.hpp"
-#include "base/sampling.hpp"
+#include "geometry/sampling.hpp"
 #include "raycast/ray_scene.hpp"
 #include "unit/modeler/buildings.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "report/solved_scene.hpp"
+#include "report/pictures/solved_scene.hpp"
 
 namespace enfilade::test {
 

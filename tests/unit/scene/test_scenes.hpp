@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "scene/scene_io.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <span>
 
-#include "rooms.hpp"
-#include "store/manifest.hpp"
+#include "run/manifest.hpp"
+#include "unit/store/rooms.hpp"
 
 namespace enfilade {
 namespace {

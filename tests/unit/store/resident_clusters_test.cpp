@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rooms.hpp"
 #include "store/cluster_store.hpp"
+#include "unit/store/rooms.hpp"
 
 namespace enfilade {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/posix_file.hpp"
+#include "hierarchy/cluster_state.hpp"
 #include "machine/machine.hpp"
-#include "radiosity/cluster_state.hpp"
-#include "store/posix_file.hpp"
-#include "store/run_layout.hpp"
+#include "run/run_layout.hpp"
 
 namespace enfilade::store_tests {
 

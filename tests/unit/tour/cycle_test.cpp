@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tour/order.hpp"
-#include "tour_costs.hpp"
+#include "unit/tour/tour_costs.hpp"
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "tour_costs.hpp"
+#include "unit/tour/tour_costs.hpp"
 
 namespace enfilade {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "../visibility/test_graphs.hpp"
 #include "tour/tour.hpp"
+#include "unit/visibility/test_graphs.hpp"
 
 namespace enfilade::test {
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "tour_costs.hpp"
+#include "unit/tour/tour_costs.hpp"
 
 namespace enfilade {
 namespace {

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "../cells/plan_scenes.hpp"
 #include "base/random.hpp"
+#include "cells/rooms/build_cells.hpp"
+#include "unit/cells/rooms/plan_scenes.hpp"
 
 namespace enfilade {
 namespace {

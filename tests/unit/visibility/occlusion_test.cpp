@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "../cells/plan_scenes.hpp"
 #include "base/random.hpp"
+#include "unit/cells/rooms/plan_scenes.hpp"
 
 namespace enfilade {
 namespace {

@@ -1,0 +1,145 @@
+#include "base/posix_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+std::string remedy(int code) {
+  switch (code) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space, then go on with --resume";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "give write permission there, or name another directory";
+    case ENOENT:
+      return "the run directory is not complete: prepare it again";
+    default:
+      return "see to the disk, then go on with --resume";
+  }
+}
+
+[[noreturn]] void fail(const std::string& path, const char* doing, int code) {
+  throw RunError(path + ": " + doing + ": " + std::strerror(code) + "; " + remedy(code));
+}
+
+/// Closes what was opened.
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags, const char* doing)
+      : fd_(::open(path.c_str(), flags, 0644)) {
+    if (fd_ < 0) fail(path, doing, errno);
+  }
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+void write_all(int fd, const std::string& path, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int code = errno;
+      fail(path, "cannot be written", code);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const std::string& path) {
+  const Descriptor file(path, O_RDONLY | O_CLOEXEC, "cannot be read");
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) fail(path, "cannot be read", errno);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(info.st_size));
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t n = ::read(file.get(), bytes.data() + have, bytes.size() - have);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(path, "cannot be read", errno);
+    if (n == 0) break;
+    have += static_cast<std::size_t>(n);
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+void write_file(const std::string& path, std::span<const std::byte> head,
+                std::span<const std::byte> body) {
+  // Over the old content rather than into a new file: creating one costs a file system a hundred
+  // times more.
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_CLOEXEC, "cannot be written");
+  write_all(file.get(), path, head);
+  write_all(file.get(), path, body);
+  struct stat info {};
+  const auto size = static_cast<off_t>(head.size() + body.size());
+  if (::fstat(file.get(), &info) != 0) fail(path, "cannot be written", errno);
+  if (S_ISREG(info.st_mode) && info.st_size > size && ::ftruncate(file.get(), size) != 0) {
+    fail(path, "cannot be written", errno);
+  }
+}
+
+void exchange_file(const std::string& from, const std::string& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
+  move_file(from, to);  // `to` does not exist yet, or the file system cannot exchange
+}
+
+void move_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return;
+  if (errno != EXDEV) fail(to, "cannot be put in place", errno);
+  const std::string temporary = to + ".moving";
+  write_file(temporary, read_file(from), {});
+  if (std::rename(temporary.c_str(), to.c_str()) != 0) fail(to, "cannot be put in place", errno);
+  ::unlink(from.c_str());
+}
+
+void replace_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".new";
+  write_file(temporary, std::as_bytes(std::span(text)), {});
+  if (std::rename(temporary.c_str(), path.c_str()) != 0)
+    fail(path, "cannot be put in place", errno);
+}
+
+void flush_to_disk(const std::string& directory) {
+  const Descriptor descriptor(directory, O_RDONLY | O_CLOEXEC, "cannot be read");
+  if (::syncfs(descriptor.get()) != 0) fail(directory, "cannot be flushed to the disk", errno);
+}
+
+void make_directory(const std::string& path) {
+  std::error_code code;
+  // A rank that is done may take the empty parent away between the two steps.
+  for (int tries = 0; tries < 100; ++tries) {
+    std::filesystem::create_directories(path, code);
+    if (code != std::errc::no_such_file_or_directory && code != std::errc::file_exists) break;
+  }
+  if (code || !std::filesystem::is_directory(path)) {
+    fail(path, "cannot be made a directory", code ? code.value() : ENOTDIR);
+  }
+}
+
+void remove_directory(const std::string& path) {
+  std::error_code code;
+  std::filesystem::remove_all(path, code);
+  if (code) fail(path, "cannot be removed", code.value());
+}
+
+}  // namespace enfilade

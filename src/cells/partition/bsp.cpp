@@ -1,0 +1,161 @@
+#include "cells/partition/bsp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace enfilade {
+namespace {
+
+struct Fragment {
+  std::uint32_t plane;
+  bool same_facing;
+  bool on_border;  ///< of the region: its plane has been cut along
+  double area;
+  Polygon polygon;
+};
+
+struct Job {
+  std::int32_t node;
+  Region region;
+  std::vector<Fragment> fragments;  ///< ordered by plane
+};
+
+struct Choice {
+  bool found = false;
+  std::uint32_t plane = 0;
+  double share = 0.0, area = 0.0;
+  Polygon section;
+};
+
+double border_area(const std::vector<Fragment>& fragments) {
+  double sum = 0.0;
+  for (const Fragment& f : fragments) sum += f.on_border ? f.area : 0.0;
+  return sum;
+}
+
+// The plane that hides the largest share of the region's cross-section along it. Each facing is
+// summed by itself, because the two faces of a thin wall cover the same ground. In a building that
+// sprawls no wall hides much of the whole: there one counts that is large beside those that the
+// region has on its border, as no furniture is in a room.
+Choice most_occluding(const Job& job, const PlaneSet& planes, const CellComplex::Config& config,
+                      double tolerance) {
+  Choice best;
+  const auto& all = job.fragments;
+  const double least_area = config.min_border_share * border_area(all);
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    double facing[2] = {0.0, 0.0};
+    for (end = begin; end < all.size() && all[end].plane == all[begin].plane; ++end) {
+      if (!all[end].on_border) facing[all[end].same_facing ? 0 : 1] += all[end].area;
+    }
+    const double area = std::max(facing[0], facing[1]);
+    if (area <= 0.0) continue;
+    Polygon section = cross_section(job.region, planes.planes[all[begin].plane]);
+    const double whole = area_m2(section);
+    if (whole <= tolerance * tolerance) continue;
+    const double share = std::min(1.0, area / whole);
+    if (share < config.min_occlusion && area < least_area) continue;
+    const bool clearly = share > best.share * (1.0 + 1e-6);
+    const bool level = !clearly && share >= best.share * (1.0 - 1e-6);
+    if (clearly || (level && area > best.area * (1.0 + 1e-6))) {
+      best = {true, all[begin].plane, share, area, std::move(section)};
+    }
+  }
+  return best;
+}
+
+struct Sides {
+  std::vector<Fragment> front, behind;
+  std::vector<InPlane> in_plane;
+};
+
+void put(const Fragment& like, Polygon polygon, std::vector<Fragment>& list) {
+  const double area = area_m2(polygon);
+  if (polygon.size() >= 3 && area > 0.0) {
+    list.push_back({like.plane, like.same_facing, like.on_border, area, std::move(polygon)});
+  }
+}
+
+Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const PlaneSet& planes,
+           double tolerance) {
+  Sides sides;
+  const Plane& plane = planes.planes[plane_index];
+  for (Fragment& fragment : fragments) {
+    bool any_front = false, any_behind = false;
+    for (const Vec3& p : fragment.polygon) {
+      const double distance = plane.signed_distance(p);
+      any_front |= distance > tolerance;
+      any_behind |= distance < -tolerance;
+    }
+    if (fragment.plane == plane_index || (!any_front && !any_behind)) {
+      const Vec3& n = planes.planes[fragment.plane].n;
+      const bool same = fragment.same_facing == (glm::dot(n, plane.n) >= 0.0);
+      // It stays, as a part of the border, with the side that it shows its front.
+      auto& list = same ? sides.front : sides.behind;
+      list.push_back({fragment.plane, fragment.same_facing, true, fragment.area, fragment.polygon});
+      if (fragment.on_border) continue;
+      const Box box = bounds(fragment.polygon);
+      sides.in_plane.push_back({std::move(fragment.polygon), box, same});
+    } else if (!any_behind) {
+      sides.front.push_back(std::move(fragment));
+    } else if (!any_front) {
+      sides.behind.push_back(std::move(fragment));
+    } else {
+      auto [front, behind] = split(fragment.polygon, plane, tolerance);
+      put(fragment, std::move(front), sides.front);
+      put(fragment, std::move(behind), sides.behind);
+    }
+  }
+  return sides;
+}
+
+std::vector<Fragment> all_fragments(std::span<const Piece> pieces, const PlaneSet& planes) {
+  std::vector<std::size_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return planes.plane_of_piece[a] < planes.plane_of_piece[b];
+  });
+  std::vector<Fragment> fragments;
+  for (const std::size_t i : order) {
+    fragments.push_back({planes.plane_of_piece[i], planes.same_facing[i] != 0, false,
+                         area_m2(pieces[i].polygon), pieces[i].polygon});
+  }
+  return fragments;
+}
+
+}  // namespace
+
+BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region region,
+                  const CellComplex::Config& config, double tolerance_m) {
+  BspTree tree;
+  tree.nodes.emplace_back();
+  std::vector<Job> jobs;
+  jobs.push_back({0, std::move(region), all_fragments(pieces, planes)});
+  while (!jobs.empty()) {
+    Job job = std::move(jobs.back());
+    jobs.pop_back();
+    Choice choice;
+    if (tree.leaves.size() + jobs.size() + 2 <= config.max_leaves) {
+      choice = most_occluding(job, planes, config, tolerance_m);
+    }
+    BspNode& node = tree.nodes[static_cast<std::size_t>(job.node)];
+    if (!choice.found) {
+      node.cell = CellId(tree.leaves.size());
+      tree.leaves.push_back(std::move(job.region));
+      continue;
+    }
+    node.plane = planes.planes[choice.plane];
+    node.front = static_cast<std::int32_t>(tree.nodes.size());
+    node.back = node.front + 1;
+    Sides sides = deal(job.fragments, choice.plane, planes, tolerance_m);
+    auto [front, behind] = split_region(job.region, node.plane, choice.section);
+    jobs.push_back({node.back, std::move(behind), std::move(sides.behind)});
+    jobs.push_back({node.front, std::move(front), std::move(sides.front)});
+    tree.cuts.push_back(
+        {job.node, choice.plane, std::move(choice.section), std::move(sides.in_plane)});
+    tree.nodes.resize(tree.nodes.size() + 2);
+  }
+  return tree;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,115 @@
+#include "cells/partition/interface.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace enfilade {
+namespace {
+
+using LeafPart = std::pair<std::uint32_t, Polygon>;
+
+// The parts of a polygon by the leaf of the subtree that they bound.
+std::vector<LeafPart> push_to_leaves(const BspTree& tree, std::int32_t root, Polygon polygon,
+                                     double tolerance) {
+  std::vector<LeafPart> parts;
+  std::vector<std::pair<std::int32_t, Polygon>> jobs;
+  jobs.emplace_back(root, std::move(polygon));
+  while (!jobs.empty()) {
+    auto [at, part] = std::move(jobs.back());
+    jobs.pop_back();
+    const BspNode& node = tree.nodes[static_cast<std::size_t>(at)];
+    if (node.front < 0) {
+      parts.emplace_back(node.cell.value, std::move(part));
+      continue;
+    }
+    double lowest = 0.0, highest = 0.0, sum = 0.0;
+    for (const Vec3& p : part) {
+      const double distance = node.plane.signed_distance(p);
+      lowest = std::min(lowest, distance);
+      highest = std::max(highest, distance);
+      sum += distance;
+    }
+    if (lowest >= -tolerance || highest <= tolerance) {
+      jobs.emplace_back(sum >= 0.0 ? node.front : node.back, std::move(part));
+      continue;
+    }
+    auto [front, behind] = split(part, node.plane, tolerance);
+    if (behind.size() >= 3) jobs.emplace_back(node.back, std::move(behind));
+    if (front.size() >= 3) jobs.emplace_back(node.front, std::move(front));
+  }
+  return parts;
+}
+
+double total_area(const std::vector<Polygon>& polygons) {
+  double sum = 0.0;
+  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
+  return sum;
+}
+
+void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
+  std::erase_if(polygons, [&](const Polygon& polygon) {
+    return polygon.size() < 3 || area_m2(polygon) <= sliver_m * diameter(polygon);
+  });
+}
+
+// Cuts the covering polygons of one facing away from `openings`; returns the area that they cover.
+double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
+             double sliver_m) {
+  const double before = total_area(openings);
+  for (const InPlane* in_plane : covers) {
+    if (in_plane->same_facing != facing || openings.empty()) continue;
+    std::vector<Polygon> left;
+    for (Polygon& opening : openings) {
+      if (!bounds(opening).overlaps(in_plane->box, sliver_m)) {
+        left.push_back(std::move(opening));
+        continue;
+      }
+      for (Polygon& part : subtract_coplanar(opening, in_plane->polygon, 1e-3 * sliver_m)) {
+        left.push_back(std::move(part));
+      }
+    }
+    drop_slivers(left, sliver_m);
+    openings = std::move(left);
+  }
+  return before - total_area(openings);
+}
+
+}  // namespace
+
+std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m) {
+  std::vector<LeafInterface> all;
+  const double fine = 1e-3 * sliver_m;
+  for (std::uint32_t number = 0; number < tree.cuts.size(); ++number) {
+    const BspCut& cut = tree.cuts[number];
+    const BspNode& node = tree.nodes[static_cast<std::size_t>(cut.node)];
+    for (auto& [front_leaf, on_front] : push_to_leaves(tree, node.front, cut.section, fine)) {
+      for (auto& [back_leaf, common] : push_to_leaves(tree, node.back, std::move(on_front), fine)) {
+        LeafInterface face;
+        face.area_m2 = area_m2(common);
+        if (face.area_m2 <= sliver_m * diameter(common)) continue;
+        face.front_leaf = front_leaf;
+        face.back_leaf = back_leaf;
+        face.plane = cut.plane;
+        face.cut = number;
+        face.n = node.plane.n;
+        const Box box = bounds(common);
+        std::vector<const InPlane*> near;
+        for (const InPlane& in_plane : cut.covered_by) {
+          if (in_plane.box.overlaps(box, sliver_m)) near.push_back(&in_plane);
+        }
+        // Once per facing for what each side sees, then both for what nothing covers.
+        face.openings = {common};
+        face.faces_front_m2 = cover(face.openings, near, true, sliver_m);
+        std::vector<Polygon> rest = {std::move(common)};
+        face.faces_back_m2 = cover(rest, near, false, sliver_m);
+        cover(face.openings, near, false, sliver_m);
+        face.open_m2 = total_area(face.openings);
+        all.push_back(std::move(face));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,18 @@
+// Openings between merged cells become few convex portals.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cells/partition/interface.hpp"
+#include "cells/partition/plane_set.hpp"
+
+namespace enfilade {
+
+/// For every two cells and every plane between them, the convex hulls of what is open and hangs
+/// together. Touching means nearer than `joint_m`. Ordered by cells, then plane.
+std::vector<Portal> build_portals(std::span<const LeafInterface> interfaces,
+                                  std::span<const std::uint32_t> cell_of_leaf,
+                                  std::span<const Plane> planes, double joint_m);
+
+}  // namespace enfilade

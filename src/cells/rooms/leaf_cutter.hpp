@@ -1,0 +1,69 @@
+// Rooms that were merged are cut again: leaves of the partition are split, and what touches them
+// with them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "cells/partition/bsp.hpp"
+#include "cells/partition/interface.hpp"
+#include "cells/partition/leaf_merge.hpp"
+#include "cells/partition/plane_set.hpp"
+
+namespace enfilade {
+
+/// What the cutting of rooms works on.
+struct CutSpace {
+  std::span<const Piece> pieces;
+  PlaneSet& planes;
+  BspTree& tree;
+  std::vector<LeafInterface>& interfaces;  ///< after a cut no longer ordered by cut
+  LeafGroups& groups;
+  Vec3 up{0.0};  ///< at right angles to most floors, of either sign
+  double tolerance_m = 0.0;
+};
+
+class LeafCutter {
+ public:
+  explicit LeafCutter(CutSpace& space);
+
+  /// The leaf that p lies in.
+  std::uint32_t leaf_at(const Vec3& p) const;
+  /// Those of one group, in the order of their numbers.
+  const std::vector<std::uint32_t>& leaves_of(std::uint32_t group) const {
+    return leaves_of_group_[group];
+  }
+  /// Puts a leaf into another group.
+  void assign(std::uint32_t leaf, std::uint32_t group);
+  /// Indices of the interfaces that a leaf has.
+  const std::vector<std::uint32_t>& interfaces_of(std::uint32_t leaf) const {
+    return by_leaf_[leaf];
+  }
+  /// The number of a plane, taken into the set where it is not one of those that scenes' pieces lie
+  /// in.
+  std::uint32_t number_of(const Plane& plane);
+  /// Two leaves, of the same group; the same leaf twice where it is not cut.
+  struct Split {
+    bool cut = false;
+    std::uint32_t front = 0, behind = 0;
+  };
+  /// Cuts the leaf where the plane runs through it by more than the tolerance.
+  Split cut(std::uint32_t leaf, std::uint32_t plane);
+  /// A new group of the kind of `like`.
+  std::uint32_t new_group(std::uint32_t like);
+
+ private:
+  void split_interfaces(std::uint32_t leaf, std::uint32_t front, std::uint32_t plane);
+  void add_interface(LeafInterface face);
+  std::vector<Polygon> open_parts(const BspCut& cut) const;
+
+  CutSpace& space_;
+  std::vector<std::int32_t> node_of_leaf_;
+  std::vector<std::vector<std::uint32_t>> leaves_of_group_;
+  std::vector<std::vector<std::uint32_t>> by_leaf_;  ///< interfaces
+  std::vector<std::vector<std::uint32_t>> pieces_of_plane_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,251 @@
+#include "cells/rooms/stairwells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace enfilade {
+namespace {
+
+/// A rectangle in plan, along two level directions.
+struct PlanBox {
+  Vec3 u{0.0}, v{0.0};
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+
+  double area_m2() const { return (u1 - u0) * (v1 - v0); }
+  bool contains(const Vec3& p) const {
+    const double a = glm::dot(u, p), b = glm::dot(v, p);
+    return a >= u0 && a <= u1 && b >= v0 && b <= v1;
+  }
+  /// Their fronts are outside.
+  std::array<Plane, 4> sides() const {
+    return {Plane{u, u1}, Plane{-u, -u0}, Plane{v, v1}, Plane{-v, -v0}};
+  }
+};
+
+/// Around all points, along the longest edge of their hull in plan.
+PlanBox box_around(const std::vector<Vec3>& points, const Vec3& up) {
+  const Vec3 origin = points.front();
+  std::vector<Vec3> flat;
+  for (const Vec3& p : points) flat.push_back(p - glm::dot(p - origin, up) * up);
+  const Polygon hull = convex_hull(std::move(flat), up);
+  PlanBox box;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec3 edge = hull[(i + 1) % hull.size()] - hull[i];
+    if (glm::length(edge) <= longest * (1.0 + 1e-6)) continue;
+    longest = glm::length(edge);
+    box.u = edge / longest;
+  }
+  if (longest <= 0.0) return box;
+  box.v = glm::cross(up, box.u);
+  box.u0 = box.v0 = 1e300;
+  box.u1 = box.v1 = -1e300;
+  for (const Vec3& p : hull) {
+    box.u0 = std::min(box.u0, glm::dot(box.u, p));
+    box.u1 = std::max(box.u1, glm::dot(box.u, p));
+    box.v0 = std::min(box.v0, glm::dot(box.v, p));
+    box.v1 = std::max(box.v1, glm::dot(box.v, p));
+  }
+  return box;
+}
+
+/// What may be walked on, or the underside of it.
+struct Tread {
+  Vec3 middle{0.0};
+  double height_m = 0.0;
+  double plan_m2 = 0.0;
+  bool rises = false;  ///< faces up
+};
+
+class StairwellFinder {
+ public:
+  StairwellFinder(CutSpace& space, LeafCutter& cutter, const StairwellConfig& config)
+      : space_(space), cutter_(cutter), config_(config) {
+    for (const Piece& piece : space.pieces) {
+      const double rise = glm::dot(normal(piece.polygon), space.up);
+      if (std::abs(rise) < 0.5) continue;
+      const double plan_m2 = area_m2(piece.polygon) * std::abs(rise);
+      const Vec3 middle = centroid(piece.polygon);
+      treads_.push_back({middle, glm::dot(space.up, middle), plan_m2, rise > 0.0});
+    }
+    std::stable_sort(treads_.begin(), treads_.end(),
+                     [](const Tread& a, const Tread& b) { return a.height_m < b.height_m; });
+  }
+
+  void run() {
+    for (const auto& [rooms, points] : ways_up()) {
+      const PlanBox box = box_around(points, space_.up);
+      if (box.area_m2() <= 0.0 || share_in(box, rooms) > config_.rooms_share) continue;
+      if (!has_flight(box, rooms, points)) continue;
+      cut(box, rooms);
+    }
+  }
+
+ private:
+  using Rooms = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// The corners of all that is open between two rooms one above the other.
+  std::map<Rooms, std::vector<Vec3>> ways_up() const {
+    std::map<Rooms, std::vector<Vec3>> ways;
+    for (const LeafInterface& face : space_.interfaces) {
+      const std::uint32_t a = space_.groups.group_of_leaf[face.front_leaf];
+      const std::uint32_t b = space_.groups.group_of_leaf[face.back_leaf];
+      if (a == b || space_.groups.kinds[a] != CellKind::room) continue;
+      if (space_.groups.kinds[b] != CellKind::room) continue;
+      if (std::abs(glm::dot(face.n, space_.up)) < 0.9) continue;
+      for (const Polygon& opening : face.openings) {
+        auto& points = ways[std::minmax(a, b)];
+        points.insert(points.end(), opening.begin(), opening.end());
+      }
+    }
+    return ways;
+  }
+
+  /// From the lowest ground in the box to its upper rim (whichever way up points).
+  std::array<std::pair<double, double>, 2> climbs(const PlanBox& box, const Rooms& rooms,
+                                                  const std::vector<Vec3>& points) const {
+    double low = 1e300, high = -1e300, rim_low = 1e300, rim_high = -1e300;
+    for (const Vec3& p : points) {
+      rim_low = std::min(rim_low, glm::dot(space_.up, p));
+      rim_high = std::max(rim_high, glm::dot(space_.up, p));
+    }
+    for (const std::uint32_t room : {rooms.first, rooms.second}) {
+      for (const std::uint32_t leaf : cutter_.leaves_of(room)) {
+        const Region inside = part_in(box, space_.tree.leaves[leaf]);
+        for (const Facet& facet : inside.facets) {
+          for (const Vec3& p : facet.polygon) {
+            low = std::min(low, glm::dot(space_.up, p));
+            high = std::max(high, glm::dot(space_.up, p));
+          }
+        }
+      }
+    }
+    return {std::pair{low, rim_high}, std::pair{rim_low, high}};
+  }
+
+  std::vector<Tread>::const_iterator first_above(double height_m) const {
+    return std::upper_bound(treads_.begin(), treads_.end(), height_m,
+                            [](double height, const Tread& t) { return height < t.height_m; });
+  }
+
+  bool has_flight(const PlanBox& box, const Rooms& rooms, const std::vector<Vec3>& points) const {
+    for (const auto& [from, to] : climbs(box, rooms, points)) {
+      // By facing and quarter of the way, m2.
+      std::array<std::array<double, 4>, 2> covered{};
+      const double height = to - from;
+      for (auto tread = first_above(from + 0.02 * height);
+           tread != treads_.end() && tread->height_m < from + 0.98 * height; ++tread) {
+        if (!box.contains(tread->middle)) continue;
+        const double at = (tread->height_m - from) / height;
+        covered[tread->rises ? 0 : 1][static_cast<std::size_t>(4.0 * at)] += tread->plan_m2;
+      }
+      const double least = 0.25 * config_.tread_share * box.area_m2();
+      for (const auto& quarters : covered) {
+        if (*std::min_element(quarters.begin(), quarters.end()) >= least) return true;
+      }
+    }
+    return false;
+  }
+
+  static Region part_in(const PlanBox& box, Region region) {
+    for (const Plane& side : box.sides()) {
+      region = split_region(region, side, cross_section(region, side)).second;
+    }
+    return region;
+  }
+
+  double share_in(const PlanBox& box, const Rooms& rooms) const {
+    double inside = 0.0, whole = 0.0;
+    for (const std::uint32_t room : {rooms.first, rooms.second}) {
+      for (const std::uint32_t leaf : cutter_.leaves_of(room)) {
+        whole += volume_m3(space_.tree.leaves[leaf]);
+        inside += volume_m3(part_in(box, space_.tree.leaves[leaf]));
+      }
+    }
+    return whole > 0.0 ? inside / whole : 0.0;
+  }
+
+  void cut(const PlanBox& box, const Rooms& rooms) {
+    std::array<std::uint32_t, 4> sides{};
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = cutter_.number_of(box.sides()[i]);
+    const std::uint32_t well = cutter_.new_group(rooms.first);
+    for (const std::uint32_t room : {rooms.first, rooms.second}) {
+      const std::vector<std::uint32_t> leaves = cutter_.leaves_of(room);
+      for (const std::uint32_t leaf : leaves) cut_leaf(leaf, box, sides, well);
+      take_crumbs(room, well);
+    }
+  }
+
+  void cut_leaf(std::uint32_t leaf, const PlanBox& box, const std::array<std::uint32_t, 4>& sides,
+                std::uint32_t well) {
+    const double whole = volume_m3(space_.tree.leaves[leaf]);
+    if (volume_m3(part_in(box, space_.tree.leaves[leaf])) <= 1e-6 * whole) return;
+    for (const std::uint32_t side : sides) {
+      const Plane plane = space_.planes.planes[side];
+      // Planes of the scene's own may face the other way.
+      const LeafCutter::Split halves = cutter_.cut(leaf, side);
+      if (!halves.cut) continue;
+      leaf = keeps_inside(plane, box) ? halves.behind : halves.front;
+    }
+    cutter_.assign(leaf, well);
+  }
+
+  static bool keeps_inside(const Plane& plane, const PlanBox& box) {
+    const Vec3 middle = 0.5 * ((box.u0 + box.u1) * box.u + (box.v0 + box.v1) * box.v);
+    return plane.signed_distance(middle) < 0.0;
+  }
+
+  /// What the stairwell cuts off from the rest of a room is part of it.
+  void take_crumbs(std::uint32_t room, std::uint32_t well) {
+    std::map<std::uint32_t, int> part;
+    std::vector<double> volumes;
+    for (const std::uint32_t start : cutter_.leaves_of(room)) {
+      if (part.contains(start)) continue;
+      const int number = static_cast<int>(volumes.size());
+      volumes.push_back(0.0);
+      std::vector<std::uint32_t> queue{start};
+      part[start] = number;
+      while (!queue.empty()) {
+        const std::uint32_t leaf = queue.back();
+        queue.pop_back();
+        volumes.back() += volume_m3(space_.tree.leaves[leaf]);
+        for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
+          const LeafInterface& face = space_.interfaces[i];
+          const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+          if (face.openings.empty() || space_.groups.group_of_leaf[other] != room) continue;
+          if (part.try_emplace(other, number).second) queue.push_back(other);
+        }
+      }
+    }
+    const auto largest =
+        static_cast<int>(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
+    for (const auto& [leaf, number] : part) {
+      if (number == largest || !touches(leaf, well)) continue;
+      cutter_.assign(leaf, well);
+    }
+  }
+
+  bool touches(std::uint32_t leaf, std::uint32_t group) const {
+    for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
+      const LeafInterface& face = space_.interfaces[i];
+      const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+      if (!face.openings.empty() && space_.groups.group_of_leaf[other] == group) return true;
+    }
+    return false;
+  }
+
+  CutSpace& space_;
+  LeafCutter& cutter_;
+  StairwellConfig config_;
+  std::vector<Tread> treads_;  ///< from the lowest up
+};
+
+}  // namespace
+
+void cut_stairwells(CutSpace& space, LeafCutter& cutter, const StairwellConfig& config) {
+  StairwellFinder(space, cutter, config).run();
+}
+
+}  // namespace enfilade

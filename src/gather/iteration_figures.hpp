@@ -1,0 +1,129 @@
+// What a gather did, and what all gathers of an iteration did, in figures. One list names them all:
+// they are summed over clusters and ranks, sent, kept and printed by it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "base/work_count.hpp"
+#include "gather/residual_samples.hpp"
+
+namespace enfilade {
+
+/// A power is area times irradiance (or radiosity): the scene's unit times m2. Powers that are one
+/// number are those of the worst band.
+struct IterationFigures {
+  double max_change = 0.0;  ///< max |B(k) - B(k-1)| over patches and bands: the paper's T (§3.3.4)
+  double change_power = 0.0;             ///< sum of area |B(k) - B(k-1)|
+  double received_power = 0.0;           ///< sum of area * irradiance
+  double link_error_power = 0.0;         ///< sum of the links' estimated errors
+  double link_doubt_power = 0.0;         ///< what of that is doubt about visibility
+  std::uint64_t patches = 0, links = 0;  ///< that there are after the gather
+  std::uint64_t steals = 0, steal_requests = 0;
+  WorkCount work;
+  // Per band:
+  Spectrum arriving_power;   ///< sum of area * irradiance
+  Spectrum returning_power;  ///< what of that was reflected, not sent out
+  Spectrum absorbed_power;   ///< sum of area (1 - reflectance) irradiance
+  /// Sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on a black
+  /// back or on a front in the dark.
+  Spectrum escaping_power;
+  Spectrum beamed_power;    ///< power that came straight from point lights
+  Spectrum doubtful_power;  ///< what a mend of 1 would add
+  ResidualSums residual;    ///< empty or zero where nothing was sampled
+};
+
+/// How the parts of a figure become that of the whole.
+enum class Fold { sum, maximum };
+/// What stats.json tells of a figure: that of the last iteration, or the sum over all of them.
+enum class Told { no, last, total };
+
+struct FigureName {
+  const char* name;  ///< in history.json and stats.json
+  Fold fold = Fold::sum;
+  Told told = Told::no;
+};
+
+/// Calls visit(FigureName, access) for each figure; access(figures) is a reference to it: a double,
+/// a count, or a Spectrum with as many bands as the others. The order is that of all records.
+template <class Visit>
+void for_each_figure(Visit visit) {
+  using enum Told;
+  visit(
+      FigureName{"max_change", Fold::maximum}, [](auto& f) -> auto& { return f.max_change; });
+  visit(
+      FigureName{"change_power"}, [](auto& f) -> auto& { return f.change_power; });
+  visit(
+      FigureName{"received_power"}, [](auto& f) -> auto& { return f.received_power; });
+  visit(
+      FigureName{"link_error_power"}, [](auto& f) -> auto& { return f.link_error_power; });
+  visit(
+      FigureName{"link_doubt_power"}, [](auto& f) -> auto& { return f.link_doubt_power; });
+  visit(
+      FigureName{"patches", Fold::sum, last}, [](auto& f) -> auto& { return f.patches; });
+  visit(
+      FigureName{"links", Fold::sum, last}, [](auto& f) -> auto& { return f.links; });
+  visit(
+      FigureName{"steals", Fold::sum, total}, [](auto& f) -> auto& { return f.steals; });
+  visit(
+      FigureName{"steal_requests", Fold::sum, total},
+      [](auto& f) -> auto& { return f.steal_requests; });
+  visit(
+      FigureName{"rays", Fold::sum, total}, [](auto& f) -> auto& { return f.work.rays; });
+  visit(
+      FigureName{"form_factors", Fold::sum, total},
+      [](auto& f) -> auto& { return f.work.form_factors; });
+  visit(
+      FigureName{"kernels", Fold::sum, total}, [](auto& f) -> auto& { return f.work.kernels; });
+  visit(
+      FigureName{"links_refined"}, [](auto& f) -> auto& { return f.work.links_refined; });
+  visit(
+      FigureName{"links_gathered"}, [](auto& f) -> auto& { return f.work.links_gathered; });
+  visit(
+      FigureName{"patches_made"}, [](auto& f) -> auto& { return f.work.patches; });
+  visit(
+      FigureName{"push_pulls"}, [](auto& f) -> auto& { return f.work.push_pulls; });
+  visit(
+      FigureName{"shafts", Fold::sum, total}, [](auto& f) -> auto& { return f.work.shafts; });
+  visit(
+      FigureName{"arriving_power"}, [](auto& f) -> auto& { return f.arriving_power; });
+  visit(
+      FigureName{"returning_power"}, [](auto& f) -> auto& { return f.returning_power; });
+  visit(
+      FigureName{"absorbed_power"}, [](auto& f) -> auto& { return f.absorbed_power; });
+  visit(
+      FigureName{"escaping_power"}, [](auto& f) -> auto& { return f.escaping_power; });
+  visit(
+      FigureName{"beamed_power"}, [](auto& f) -> auto& { return f.beamed_power; });
+  visit(
+      FigureName{"doubtful_power"}, [](auto& f) -> auto& { return f.doubtful_power; });
+  visit(
+      FigureName{"residual_light"}, [](auto& f) -> auto& { return f.residual.light; });
+  visit(
+      FigureName{"residual_surplus"}, [](auto& f) -> auto& { return f.residual.surplus; });
+  visit(
+      FigureName{"residual_off"}, [](auto& f) -> auto& { return f.residual.off; });
+  visit(
+      FigureName{"residual_noise"}, [](auto& f) -> auto& { return f.residual.noise; });
+}
+
+/// What access() of for_each_figure() refers to is a Spectrum, not one number.
+template <class Access>
+inline constexpr bool is_spectrum =
+    std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Access, IterationFigures&>>, Spectrum>;
+
+/// Folds one part (a cluster's, a rank's) into another.
+void add(IterationFigures& figures, const IterationFigures& part);
+
+/// As plain numbers: what folds by maximum, then what folds by sum, in the list's order; bands of
+/// a Spectrum one after the other.
+struct FoldedNumbers {
+  std::vector<double> maxima, sums;
+};
+FoldedNumbers to_numbers(const IterationFigures& figures);
+/// Throws RunError for numbers that are none.
+IterationFigures figures_from(std::span<const double> maxima, std::span<const double> sums);
+
+}  // namespace enfilade

@@ -1,0 +1,84 @@
+#include "geometry/form_factor.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace enfilade {
+namespace {
+
+/// One edge's term of Lambert's formula, without the 1/(2 pi).
+double edge_term(const Vec3& a, const Vec3& b, const Vec3& n) {
+  const Vec3 c = glm::cross(a, b);
+  const double length = glm::length(c);
+  if (length <= 0.0) return 0.0;
+  return std::atan2(length, glm::dot(a, b)) * glm::dot(c, n) / length;
+}
+
+}  // namespace
+
+double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon) {
+  const std::size_t count = polygon.size();
+  // Is x in front of the polygon? Its plane's normal, from the two longest-lived corners.
+  Vec3 area(0.0);
+  const Vec3 first = polygon[0] - x;
+  for (std::size_t i = 2; i < count; ++i) {
+    area += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  }
+  if (glm::dot(area, first) >= 0.0) return 0.0;
+
+  double sum = 0.0;
+  // Walk the edges, clipping at the horizon: `kept` is the last vertex above it.
+  Vec3 start(0.0), kept(0.0);
+  bool any = false;
+  auto visit = [&](const Vec3& v) {
+    if (any) {
+      sum += edge_term(kept, v, n);
+    } else {
+      start = v;
+      any = true;
+    }
+    kept = v;
+  };
+  Vec3 a = polygon[count - 1] - x;
+  double height_a = glm::dot(a, n);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 b = polygon[i] - x;
+    const double height_b = glm::dot(b, n);
+    if ((height_a > 0.0) != (height_b > 0.0)) {
+      visit(a + (b - a) * (height_a / (height_a - height_b)));
+    }
+    if (height_b > 0.0) visit(b);
+    a = b;
+    height_a = height_b;
+  }
+  if (!any) return 0.0;
+  sum += edge_term(kept, start, n);
+  // Seen from its front, a counter-clockwise polygon runs clockwise around n.
+  return std::clamp(-sum / (2.0 * std::numbers::pi), 0.0, 1.0);
+}
+
+double solid_angle(const Vec3& x, std::span<const Vec3> polygon) {
+  double sum = 0.0;
+  const Vec3 a = polygon[0] - x;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vec3 b = polygon[i - 1] - x, c = polygon[i] - x;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    sum += 2.0 *
+           std::atan2(glm::dot(a, glm::cross(b, c)), la * lb * lc + glm::dot(a, b) * lc +
+                                                         glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return std::abs(sum);
+}
+
+double point_kernel(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3& m) {
+  const Vec3 d = y - x;
+  const double r2 = glm::dot(d, d);
+  const double cos_x = glm::dot(n, d);
+  const double cos_y = -glm::dot(m, d);
+  if (cos_x <= 0.0 || cos_y <= 0.0 || r2 <= 0.0) return 0.0;
+  return cos_x * cos_y / (std::numbers::pi * r2 * r2);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,29 @@
+// What can be seen through windows, as half spaces: Teller's anti-penumbra, its part that needs no
+// search.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/convex.hpp"
+
+namespace enfilade {
+
+/// Points with n.p >= d for every plane.
+using HalfSpaces = std::vector<Plane>;
+
+/// Adds, for every edge of `window`, the half space that lines from `source` through the window
+/// stay in beyond it: the plane through the edge that touches the source, the source on its other
+/// side. `n` is the window's unit normal towards where it leads; the source lies on this side of
+/// it. Everything is taken `slack_m` larger than it is, so that no line is lost to rounding.
+void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec3& n,
+                  double slack_m, HalfSpaces& out);
+
+/// Is all of the polygon (or box) outside of one of the half spaces by more than `slack_m`?
+bool outside(const Polygon& polygon, const HalfSpaces& spaces, double slack_m);
+bool outside(const Box& box, const HalfSpaces& spaces, double slack_m);
+
+/// The part of the polygon inside all half spaces enlarged by `slack_m`; empty where there is none.
+Polygon clip_to(Polygon polygon, const HalfSpaces& spaces, double slack_m);
+
+}  // namespace enfilade

@@ -1,0 +1,72 @@
+// A cluster as the solver holds it: its polygons, its hierarchy of patches with their light, and
+// its links.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "clusters/cluster.hpp"
+#include "hierarchy/coarse_zones.hpp"
+#include "hierarchy/link.hpp"
+#include "hierarchy/patch.hpp"
+#include "scene/scene.hpp"
+
+namespace enfilade {
+
+/// Radiosity over a patch: one number a band (constant), or an affine function (linear).
+enum class Basis : std::uint8_t { constant = 1, linear = 3 };
+
+/// A cluster's file has three sections: others need the first two, its owner all three (§4.1, 4.3).
+enum class Section : std::uint8_t { geometry = 0, patches = 1, links = 2 };
+
+class ClusterState {
+ public:
+  /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet. The coarse system
+  /// has at most `zones` unknowns for it.
+  ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t zones = 1);
+  /// From the sections of its file; `links` may be empty for a cluster that only shoots.
+  /// Throws RunError where the bytes are not such sections.
+  ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
+               std::span<const std::byte> links);
+
+  /// A copy of what others need of it: everything but the links.
+  ClusterState shooter() const;
+  /// Gives back the memory that growing vectors have asked for in advance.
+  void shrink();
+  /// Applies a coarse correction: the relative change of its light, [zone * bands + band].
+  void correct(std::span<const double> changes);
+  /// The iteration that it was last gathered for in; 0 = never.
+  int iteration() const { return iteration_; }
+  void set_iteration(int iteration) { iteration_ = iteration; }
+
+  std::vector<std::byte> bytes_of(Section section) const;
+  /// Bytes that the sections take in memory.
+  std::size_t memory_bytes() const;
+
+  ClusterId id() const { return id_; }
+  CellId cell() const { return cell_; }
+  int bands() const { return bands_; }
+  Basis basis() const { return basis_; }
+  const PatchForest& patches() const { return patches_; }
+  PatchForest& patches() { return patches_; }
+  const CoarseZones& zones() const { return zones_; }
+  const LinkSet& links() const { return links_; }
+  LinkSet& links() { return links_; }
+
+ private:
+  ClusterState() = default;
+
+  ClusterId id_;
+  CellId cell_;
+  int bands_ = 1;
+  int iteration_ = 0;
+  Basis basis_ = Basis::linear;
+  PatchForest patches_;
+  CoarseZones zones_;
+  LinkSet links_;
+};
+
+}  // namespace enfilade

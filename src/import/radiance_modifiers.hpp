@@ -1,0 +1,41 @@
+// The modifiers that a Radiance scene has defined so far, and the material that each leads to.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "base/warnings.hpp"
+#include "import/radiance_material.hpp"
+
+namespace enfilade {
+
+class RadianceModifiers {
+ public:
+  /// Takes in a material, pattern or alias. A name that is defined again stands for the later one
+  /// from there on. Fails for a modifier or an alias of something not defined.
+  void define(const RadiancePrimitive& primitive);
+
+  /// The material of a shape; its first use warns of what is lost. Fails where the shape's modifier
+  /// is not defined. A chain that ends at void leads to none, which passes light.
+  RadianceMaterial material_of(const RadiancePrimitive& shape, Warnings& warnings);
+
+ private:
+  using Link = std::optional<std::size_t>;  ///< number of a modifier; none for void
+
+  struct Modifier {
+    std::string name;
+    Link before;                               ///< what modifies it
+    std::optional<RadianceMaterial> material;  ///< none for a pattern
+    Link alternate;                            ///< of an illum: what it looks like
+    bool warned = false;
+  };
+
+  Link find(const std::string& name, const RadiancePrimitive& user) const;
+  /// The first material of a chain; its number, none for void. `patterned` says if one is there.
+  Link end_of(Link link, bool& patterned) const;
+
+  std::vector<Modifier> modifiers_;
+  std::map<std::string, std::size_t> by_name_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,128 @@
+#include "json/json_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+bool in_token(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.';
+}
+
+// True for NaN, Infinity and their kin, and for digits that overflow a double.
+bool is_nonfinite(const std::string& token) {
+  if (token == "true" || token == "false" || token == "null" || token.empty()) return false;
+  char* end = nullptr;
+  const double value = std::strtod(token.c_str(), &end);
+  return *end == '\0' && !std::isfinite(value);
+}
+
+// Puts the numbers that JSON can't hold in quotes; true if there was one.
+bool quote_nonfinite(const std::string& text, std::string& out) {
+  bool any = false, in_string = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (in_string || c == '"' || !in_token(c)) {
+      if (in_string && c == '\\' && i + 1 < text.size())
+        out += text[i++];
+      else if (c == '"')
+        in_string = !in_string;
+      out += text[i++];
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && in_token(text[end])) ++end;
+    const std::string token = text.substr(i, end - i);
+    const bool quote = is_nonfinite(token);
+    any |= quote;
+    out += quote ? '"' + token + '"' : token;
+    i = end;
+  }
+  return any;
+}
+
+std::string line_and_column(const std::string& text, std::size_t byte) {
+  const std::size_t at = std::min(byte == 0 ? 0 : byte - 1, text.size());
+  const auto begin = text.begin(), end = begin + static_cast<std::ptrdiff_t>(at);
+  const auto line = 1 + std::count(begin, end, '\n');
+  const std::size_t newline = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const std::size_t column = newline == std::string::npos ? at + 1 : at - newline;
+  return "line " + std::to_string(line) + ":" + std::to_string(column);
+}
+
+// The library's own words without its prefix "[json.exception...] parse error at line 1, column 2:
+// ".
+std::string plain_fault(const std::string& message) {
+  const std::size_t syntax = message.find("syntax error");
+  if (syntax != std::string::npos) return message.substr(syntax);
+  const std::size_t colon = message.rfind(": ");
+  return colon == std::string::npos ? message : message.substr(colon + 2);
+}
+
+template <class Json>
+Json parse(const std::string& text, const std::string& path) {
+  try {
+    return Json::parse(text);
+  } catch (const typename Json::exception& first) {
+    std::string repaired;
+    if (quote_nonfinite(text, repaired)) {
+      Json value = Json::parse(repaired, nullptr, false);
+      if (!value.is_discarded()) return value;
+    }
+    const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
+    const std::size_t byte = syntax == nullptr ? 1 : syntax->byte;
+    const bool truncated = byte >= text.size();
+    throw InputError(
+        path, line_and_column(text, byte), "not valid JSON: " + plain_fault(first.what()),
+        truncated ? "the file ends too early, write it again" : "correct the text there");
+  }
+}
+
+}  // namespace
+
+std::string read_bytes(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path, "file", "is a directory", "give the path of a file in it");
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    const bool there = std::filesystem::exists(path, ignored);
+    throw InputError(path, "file", there ? "cannot be opened" : "does not exist",
+                     there ? "check its permissions" : "check the path");
+  }
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  std::string text = std::move(bytes).str();
+  if (in.bad()) throw InputError(path, "file", "cannot be read to its end", "check the disk");
+  if (text.empty()) throw InputError(path, "file", "is empty", "write it again");
+  return text;
+}
+
+nlohmann::json parse_json(const std::string& text, const std::string& path) {
+  return parse<nlohmann::json>(text, path);
+}
+
+nlohmann::ordered_json parse_ordered_json(const std::string& text, const std::string& path) {
+  return parse<nlohmann::ordered_json>(text, path);
+}
+
+std::string shown(const nlohmann::json& value) {
+  constexpr std::size_t longest = 40;
+  const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::string in_quotes(const std::string& name) {
+  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace enfilade

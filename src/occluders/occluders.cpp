@@ -1,0 +1,90 @@
+#include "occluders/occluders.hpp"
+
+#include "geometry/shaft_tree.hpp"
+
+namespace enfilade {
+namespace {
+
+std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
+  std::vector<Polygon> polygons;
+  for (const Cluster& c : clusters) {
+    for (const ClusterPolygon& p : c.polygons) polygons.push_back(p.polygon);
+  }
+  return polygons;
+}
+
+}  // namespace
+
+Occluders::Occluders(std::span<const Cluster> clusters)
+    : rays_(all_polygons(clusters)), shafts_(std::make_unique<ShaftTree>(all_polygons(clusters))) {
+  Box box;
+  std::uint32_t next = 0;
+  for (const Cluster& c : clusters) {
+    if (c.id.index() >= first_.size()) first_.resize(c.id.index() + 1, 0);
+    first_[c.id.index()] = next;
+    next += static_cast<std::uint32_t>(c.polygons.size());
+    for (std::uint32_t k = 0; k < c.polygons.size(); ++k) {
+      refs_.push_back({c.id, k});
+      for (const Vec3& v : c.polygons[k].polygon) box.add(v);
+    }
+  }
+  extent_m_ = box.diagonal();
+}
+
+Occluders::~Occluders() = default;
+Occluders::Occluders(Occluders&&) noexcept = default;
+Occluders& Occluders::operator=(Occluders&&) noexcept = default;
+
+bool Occluders::shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
+                           std::uint32_t skip_b) const {
+  return !shafts_->blocked(shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b);
+}
+
+bool Occluders::find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
+                             std::uint32_t skip_b, std::size_t most,
+                             std::vector<std::uint32_t>& found) const {
+  found.clear();
+  shafts_->find(shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b, most, found);
+  return found.size() <= most;
+}
+
+void Occluders::find_among(std::span<const std::uint32_t> among, const Polygon& a, const Polygon& b,
+                           std::uint32_t skip_a, std::uint32_t skip_b,
+                           std::vector<std::uint32_t>& found) const {
+  found.clear();
+  shafts_->find_among(among, shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b,
+                      found);
+}
+
+const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }
+
+bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const {
+  // The segments' crossings of the blocker's plane are the convex hull of the corner-to-corner
+  // ones, so it is enough that each of those lies inside the (convex) blocker.
+  const Polygon& wall = shafts_->polygon(blocker);
+  const Plane plane = plane_of(wall);
+  for (const Vec3& p : a) {
+    const double side_p = plane.signed_distance(p);
+    for (const Vec3& q : b) {
+      const double side_q = plane.signed_distance(q);
+      if (side_p * side_q >= 0.0) return false;
+      const Vec3 x = p + (q - p) * (side_p / (side_p - side_q));
+      for (std::size_t i = 0; i < wall.size(); ++i) {
+        const Vec3& v = wall[i];
+        const Vec3& w = wall[(i + 1) % wall.size()];
+        if (glm::dot(glm::cross(w - v, x - v), plane.n) < 0.0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<std::uint32_t> Occluders::touching(const Vec3& p, double reach_m) const {
+  return shafts_->touching(p, reach_m);
+}
+
+std::size_t Occluders::bytes() const {
+  return rays_.bytes() + refs_.size() * (sizeof(PolygonRef) + 4 * sizeof(Vec3) + 80);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "report/page/html_report.hpp"
+#include "report/pictures/false_colour.hpp"
+#include "report/pictures/tone_mapping.hpp"
+#include "run/stats_json.hpp"
+
+namespace enfilade {
+
+RunPage read_run_page(const std::string& run_directory) {
+  const std::filesystem::path run(run_directory);
+  RunPage page;
+  page.name = run.lexically_normal().filename().string();
+  if (page.name.empty() || page.name == ".")
+    page.name = run.lexically_normal().parent_path().filename().string();
+  page.stats = read_stats((run / "stats.json").string());
+  page.history = read_history((run / "history.json").string());
+  page.warnings = read_lines((run / "warnings.json").string());
+  std::ifstream timeline(run / "pictures/ranks.svg");
+  page.timeline.assign(std::istreambuf_iterator<char>(timeline), {});
+  page.attribution = read_attribution((run / "scene.json").string());
+  return page;
+}
+
+std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner) {
+  std::vector<FloorPlan> plans = floor_plans(building, cells_subject(building));
+  const auto other = [&](const Rank& rank) { return rank != owner.front(); };
+  if (owner.size() == building.clusters.size() && std::ranges::any_of(owner, other)) {
+    for (FloorPlan& plan : floor_plans(building, assignment_subject(building, owner)))
+      plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
+                  std::span<const Rank> owner, const RenderConfig& config,
+                  const Progress& progress) {
+  const std::string unit = irradiance_label(solved.scene.unit);
+  bool inside_shown = false, above_shown = false;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Camera& camera = cameras[i];
+    const LightImage image =
+        render(solved, camera, config, [&](std::string_view phase, double done) {
+          report_progress(progress, phase,
+                          (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
+        });
+    page.pictures.push_back({camera.name, encode_png(tone_mapped(image), camera.name)});
+    bool& shown = camera.cut_above_m ? above_shown : inside_shown;
+    if (!shown) {
+      const std::string caption = fmt::format("{}: irradiance, {}", camera.name, unit);
+      page.pictures.push_back({caption, encode_png(false_coloured(image, unit), caption)});
+    }
+    shown = true;
+  }
+  page.plans = plans_of_run(solved.building(), owner);
+}
+
+}  // namespace enfilade

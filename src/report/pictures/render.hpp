@@ -1,0 +1,46 @@
+// Pictures by rays from the eye: the light on the patches, or one gather a pixel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "report/pictures/camera.hpp"
+#include "report/pictures/solved_scene.hpp"
+
+namespace enfilade {
+
+struct RenderConfig {
+  int width = 960, height = 540;
+  int samples = 4;  ///< rays a pixel, on a jittered grid
+  int gather_rays =
+      0;  ///< > 0: irradiance by a gather from the solution at every pixel (slow, no mesh lines)
+  bool smooth = true;  ///< radiosity without the patches' edges (smooth_light.hpp); irradiance is
+                       ///< left as it is
+  int threads = 0;     ///< 0 = as many as the machine has
+  std::uint64_t seed = 1;
+};
+
+/// Radiosity and irradiance seen in each pixel, as red, green and blue (see display_rgb), rows from
+/// the top.
+struct LightImage {
+  struct Pixel {
+    float radiosity[3] = {0, 0, 0};
+    float irradiance = 0;  ///< mean of the bands
+    float cover = 0;       ///< share of the samples that met a surface
+    float section = 0;     ///< share that met the inside of a solid at the cut
+  };
+  int width = 0, height = 0;
+  std::vector<Pixel> pixels;
+};
+
+LightImage render(const SolvedScene& solved, const Camera& camera, const RenderConfig& config,
+                  const Progress& progress = {});
+
+/// Bands as red, green, blue: 1 = grey, 3 = as they are, else the means of the lower, middle and
+/// upper third.
+std::array<double, 3> display_rgb(std::span<const double> bands);
+
+}  // namespace enfilade

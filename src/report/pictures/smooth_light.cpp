@@ -1,0 +1,56 @@
+#include "report/pictures/smooth_light.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace enfilade {
+
+namespace {
+
+std::size_t leaf_at(const PatchForest& forest, std::uint32_t polygon, const Vec2& q) {
+  std::size_t i = polygon;
+  while (!forest.node(i).leaf()) {
+    const PatchNode& node = forest.node(i);
+    i = static_cast<std::size_t>(node.first_child) +
+        (glm::dot(node.split_axis, q) >= node.split_at ? 1 : 0);
+  }
+  return i;
+}
+
+bool inside(const PatchOutline& convex, const Vec2& q) {
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const Vec2 &a = convex[i], &b = convex[(i + 1) % convex.size()];
+    if ((b.x - a.x) * (q.y - a.y) < (b.y - a.y) * (q.x - a.x)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void smooth_irradiance(const PatchForest& forest, std::uint32_t polygon, const Vec3& p, double turn,
+                       std::span<double> out) {
+  constexpr int pairs = 4;
+  const PolygonFrame& frame = forest.frames()[polygon];
+  const PatchOutline& border = forest.node(polygon).shape.vertices;
+  const Vec2 q = frame.project(p);
+  const double reach_m = 0.6 * std::sqrt(forest.node(leaf_at(forest, polygon, q)).shape.area_m2);
+  forest.evaluate(false, polygon, p, out);
+  std::vector<double> light(out.size());
+  double points = 1.0;
+  for (int k = 0; k < pairs; ++k) {
+    const double angle = std::numbers::pi * (turn + k) / pairs;
+    const double radius_m = reach_m * std::sqrt((k + 0.5) / pairs);
+    const Vec2 step = radius_m * Vec2(std::cos(angle), std::sin(angle));
+    // Both or none, so that the field's slope cancels.
+    if (!inside(border, q + step) || !inside(border, q - step)) continue;
+    for (const Vec2& at : {q + step, q - step}) {
+      forest.evaluate(false, polygon, frame.at(at), light);
+      for (std::size_t band = 0; band < out.size(); ++band) out[band] += light[band];
+    }
+    points += 2.0;
+  }
+  for (double& value : out) value /= points;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,32 @@
+// Plans: a level cut through each storey's cells, portals and clusters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/drawing/drawing.hpp"
+#include "report/plans/building.hpp"
+#include "report/plans/plan_subject.hpp"
+#include "report/plans/storeys.hpp"
+
+namespace enfilade {
+
+struct FloorPlan {
+  int storey = 1;       ///< lowest = 1
+  std::string subject;  ///< PlanSubject::name
+  std::string title;    ///< "Storey 1: floor at 0.00 m, cut at 1.20 m"
+  Drawing drawing;
+};
+
+struct FloorPlanConfig {
+  double cut_m = 1.2;  ///< above the storey's floor; never above 45% of its height
+};
+
+/// One storey, as the subject colours it; `storeys` are all, `number` counts from 1.
+FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
+                     const PlanSubject& subject, const FloorPlanConfig& config = {});
+/// All storeys, lowest first.
+std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
+                                   const FloorPlanConfig& config = {});
+
+}  // namespace enfilade

@@ -1,0 +1,21 @@
+// The storeys of a building, found from its floors.
+#pragma once
+
+#include <vector>
+
+#include "report/plans/building.hpp"
+
+namespace enfilade {
+
+struct Storey {
+  double floor_m = 0.0;     ///< height of the floor
+  double headroom_m = 0.0;  ///< from there to the ceiling, median over the floor's area
+};
+
+/// Lowest first, at least one: heights where much upward area with headroom lies.
+std::vector<Storey> storeys(const Building& building);
+
+/// Box of what faces rooms; of all there is where no cell is a room.
+Box room_bounds(const Building& building);
+
+}  // namespace enfilade

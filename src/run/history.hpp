@@ -1,0 +1,26 @@
+// The committed iterations of a run, as its manifest has them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/manifest.hpp"
+#include "run/run_layout.hpp"
+#include "solver/iteration_plan.hpp"
+
+namespace enfilade {
+
+/// Those from before a crash included; none where nothing is committed.
+inline std::vector<IterationSummary> history_of(const std::optional<Manifest>& manifest) {
+  std::vector<IterationSummary> history;
+  if (!manifest) return history;
+  for (const auto& numbers : manifest->history) history.push_back(summary_from(numbers));
+  return history;
+}
+
+inline std::vector<IterationSummary> committed_iterations(const std::string& run_directory) {
+  return history_of(read_manifest(RunLayout(run_directory)));
+}
+
+}  // namespace enfilade

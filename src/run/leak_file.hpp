@@ -1,0 +1,19 @@
+// RUN/leaks.json: where the building is not closed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/warnings.hpp"
+#include "cells/rooms/leaks.hpp"
+
+namespace enfilade {
+
+/// {"leaks": [{"kind", "cell", "area_m2", "width_m", "path": [[x,y,z], ...]}, ...]}.
+void write_leaks(const std::string& run_directory, const std::vector<Leak>& leaks);
+/// None where the file is not there. Throws RunError where it is damaged.
+std::vector<Leak> read_leaks(const std::string& run_directory);
+/// One warning a leak: which cell, where, how wide.
+void warn_of_leaks(const std::vector<Leak>& leaks, Warnings& warnings);
+
+}  // namespace enfilade

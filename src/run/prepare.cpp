@@ -1,0 +1,248 @@
+#include "run/prepare.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/peak_memory.hpp"
+#include "base/posix_file.hpp"
+#include "cells/partition/plane_set.hpp"
+#include "cells/rooms/build_cells.hpp"
+#include "clusters/contact_segments.hpp"
+#include "run/graph_file.hpp"
+#include "run/leak_file.hpp"
+#include "run/run_layout.hpp"
+#include "run/run_mark.hpp"
+#include "run/section_file.hpp"
+#include "scene/equal_bands.hpp"
+#include "scene_file/scene_io.hpp"
+
+namespace enfilade {
+namespace {
+
+std::string text_of(const std::string& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
+/// option compiles unless it is put here too.
+std::string options_of(const PrepareConfig& config) {
+  const auto& [cells, sealed, clusters, contacts, visibility] = config;
+  const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
+  const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
+  const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
+  const auto& [min_contact_relative, most_contacts] = contacts;
+  const auto& [max_passes, prove_hidden, occlusion] = visibility;
+  const auto& [first_rays, rays, max_pair_parts, max_depth, min_pair_parts, all_pair_parts,
+               window_rays, window_parts, window_planes, window_path, max_planes, most_open,
+               max_pieces, pair_seed] = occlusion;
+  const nlohmann::ordered_json json = {{"min_occlusion", min_occlusion},
+                                       {"min_border_share", min_border_share},
+                                       {"tolerance_relative", tolerance_relative},
+                                       {"max_leaves", max_leaves},
+                                       {"sealed_walks", walks},
+                                       {"sealed_max_bounces", max_bounces},
+                                       {"sealed_max_parts", max_parts},
+                                       {"sealed_min_length_relative", min_length_relative},
+                                       {"sealed_seed", seed},
+                                       {"cluster_max_polygons", max_polygons},
+                                       {"cluster_max_extent_share", max_extent_share},
+                                       {"cluster_large_share", large_share},
+                                       {"cluster_pool_polygons", pool_polygons},
+                                       {"contact_min_length_relative", min_contact_relative},
+                                       {"contact_most", most_contacts},
+                                       {"visibility_max_passes", max_passes},
+                                       {"visibility_prove_hidden", prove_hidden},
+                                       {"occlusion_first_rays", first_rays},
+                                       {"occlusion_rays", rays},
+                                       {"occlusion_max_parts", max_pair_parts},
+                                       {"occlusion_max_depth", max_depth},
+                                       {"occlusion_min_parts", min_pair_parts},
+                                       {"occlusion_all_parts", all_pair_parts},
+                                       {"occlusion_window_rays", window_rays},
+                                       {"occlusion_window_parts", window_parts},
+                                       {"occlusion_window_planes", window_planes},
+                                       {"occlusion_window_path", window_path},
+                                       {"occlusion_max_planes", max_planes},
+                                       {"occlusion_most_open", most_open},
+                                       {"occlusion_max_pieces", max_pieces},
+                                       {"occlusion_seed", pair_seed}};
+  return json.dump();
+}
+
+/// The scene's own text where it is one of ours (extra keys and all), else the scene as imported.
+void keep_scene(Scene& scene, const std::string& path) {
+  if (scene.text.empty()) {
+    write_scene(scene, path);
+  } else {
+    replace_file(path, scene.text);
+  }
+  scene.text = {};
+}
+
+/// The bytes and their checksum.
+void keep(std::string bytes, const std::string& path) {
+  const std::uint64_t sum = checksum(std::as_bytes(std::span(bytes)));
+  bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  replace_file(path, bytes);
+}
+
+/// `from_bytes` of what was kept in RUN; what is wrong with it is told with its name.
+template <class FromBytes>
+auto load(const std::string& path, FromBytes from_bytes) {
+  const std::string text = text_of(path);
+  std::uint64_t sum = 0;
+  const std::size_t size = text.size() - std::min(text.size(), sizeof sum);
+  std::memcpy(&sum, text.data() + size, text.size() - size);
+  const std::string_view bytes = std::string_view(text).substr(0, size);
+  try {
+    if (sum != checksum(std::as_bytes(std::span(bytes)))) throw RunError("checksum");
+    return from_bytes(bytes);
+  } catch (const RunError& error) {
+    throw RunError(path + ": is damaged (" + error.what() + "); prepare the run again");
+  }
+}
+
+/// Writes down what each step takes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<PrepareStep>& steps) : steps_(steps) {}
+  void end_of(const char* step) {
+    const auto now = Clock::now();
+    steps_.push_back({step, std::chrono::duration<double>(now - start_).count(), peak_rss_bytes()});
+    start_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<PrepareStep>& steps_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// A run that is to be gone on with is not prepared anew, which would drop its solution.
+void refuse_to_drop(const std::string& run_directory) {
+  std::error_code code;
+  if (!std::filesystem::exists(RunLayout(run_directory).manifest(), code)) return;
+  throw InputError(run_directory, "--resume",
+                   "the solution there is of another scene, or prepared otherwise",
+                   "solve without --resume, or into another directory");
+}
+
+}  // namespace
+
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  check_run_directory(run_directory);
+  Prepared p;
+  p.scene = scene;
+  Stopwatch stopwatch(p.steps);
+  report_progress(progress, "pieces", 0.0);
+  PieceReport report;
+  const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
+  p.covered_area_m2 = report.covered_area_m2;
+  stopwatch.end_of("pieces");
+  report_progress(progress, "cells", 0.1);
+  std::vector<Leak> leaks;
+  p.cells = build_cells(pieces, config.cells, leaks);
+  warn_of_leaks(leaks, warnings);
+  std::vector<CellPiece> cell_pieces;
+  for (const Piece& piece : pieces) {
+    const std::vector<CellPiece> parts = p.cells.cut(piece);
+    cell_pieces.insert(cell_pieces.end(), parts.begin(), parts.end());
+  }
+  stopwatch.end_of("cells");
+  report_progress(progress, "clusters", 0.4);
+  cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
+  report_progress(progress, "clusters", 0.5);
+  p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
+  find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
+  stopwatch.end_of("clusters");
+  report_progress(progress, "visibility", 0.6);
+  p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);
+  stopwatch.end_of("visibility");
+
+  // Everything is computed before anything is written: a bad scene leaves no half-made RUN.
+  claim_run_directory(run_directory);
+  remove_directory(run_directory + "/common");
+  remove_directory(run_directory + "/local");
+  remove_directory(run_directory + "/costs");
+  keep_scene(p.scene, run_directory + "/scene.json");
+  merge_equal_bands(p.scene);
+  keep(to_bytes(p.cells), run_directory + "/cells.bin");
+  keep(to_bytes(std::span<const Cluster>(p.clusters)), run_directory + "/clusters.bin");
+  write_leaks(run_directory, leaks);
+  write_graph(p.graph, run_directory + "/graph.txt");
+  p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  p.warnings = warnings;
+  write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.covered_area_m2,
+                                 p.prepare_s, p.steps, p.warnings});
+  report_progress(progress, "visibility", 1.0);
+  return p;
+}
+
+bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
+                 const PrepareConfig& config) {
+  const auto mark = read_run_mark(run_directory);
+  return mark && mark->prepared && mark->scene_hash == scene_hash &&
+         mark->options == options_of(config);
+}
+
+Prepared load_prepared(const std::string& run_directory) {
+  const auto mark = read_run_mark(run_directory);
+  // A run that was left or damaged has its scene.
+  if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json") &&
+      !std::filesystem::exists(run_directory + "/scene.json")) {
+    throw InputError(run_directory, "run.json", "a replay: it holds figures alone, and no light",
+                     "name the run that was replayed; stats.json says which");
+  }
+  if (!mark || !mark->prepared) {
+    throw InputError(run_directory, "run.json", "not a prepared run",
+                     "run 'enfilade prepare SCENE -o " + run_directory + "' first");
+  }
+  Prepared p;
+  Warnings told_before;  // when the run was prepared
+  p.scene = read_scene(run_directory + "/scene.json", told_before);
+  p.scene.text = {};
+  merge_equal_bands(p.scene);
+  p.scene.hash = mark->scene_hash;
+  p.cells = load(run_directory + "/cells.bin", complex_from_bytes);
+  p.clusters = load(run_directory + "/clusters.bin", clusters_from_bytes);
+  p.graph = read_graph(run_directory + "/graph.txt");
+  p.prepare_s = mark->prepare_s;
+  p.steps = mark->steps;
+  p.covered_area_m2 = mark->covered_area_m2;
+  p.warnings = mark->warnings;
+  return p;
+}
+
+namespace {
+
+/// One whose pairs are proved as well will do.
+bool serves(const std::string& run_directory, std::uint64_t scene_hash, PrepareConfig config) {
+  if (is_prepared(run_directory, scene_hash, config)) return true;
+  if (config.visibility.prove_hidden) return false;
+  config.visibility.prove_hidden = true;
+  return is_prepared(run_directory, scene_hash, config);
+}
+
+}  // namespace
+
+Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
+                         const PrepareConfig& config, const Progress& progress, bool resume) {
+  if (read) {
+    Warnings found;
+    const Scene scene = read(found);
+    if (!serves(run_directory, scene.hash, config)) {
+      if (resume) refuse_to_drop(run_directory);
+      return prepare(scene, run_directory, config, found, progress);
+    }
+  }
+  return load_prepared(run_directory);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,63 @@
+// From a scene to a RUN directory: pieces, cells, clusters, G_cluster (§3.2). One rank's work.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/warnings.hpp"
+#include "cells/partition/cell_complex.hpp"
+#include "clusters/cluster.hpp"
+#include "clusters/sealed_parts.hpp"
+#include "run/run_mark.hpp"
+#include "scene/scene.hpp"
+#include "visibility/cluster_graph.hpp"
+
+namespace enfilade {
+
+struct PrepareConfig {
+  CellComplex::Config cells;
+  SealedConfig sealed;
+  ClusterConfig clusters;
+  ContactConfig contacts;
+  VisibilityConfig visibility;
+};
+
+/// What every rank holds of a RUN: all but the light.
+struct Prepared {
+  Scene scene;
+  CellComplex cells;
+  std::vector<Cluster> clusters;
+  ClusterGraph graph;
+  double prepare_s = 0.0;          ///< wall seconds that the preparation took
+  std::vector<PrepareStep> steps;  ///< pieces, cells, clusters, visibility
+  double covered_area_m2 = 0.0;    ///< of surfaces covered by coplanar ones
+  Warnings warnings;               ///< what the scene gave rise to
+};
+
+/// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and
+/// drops whatever solution it held. Nothing is written where the scene is bad, nor into a directory
+/// that holds files of somebody else: InputError. `warnings` are those of reading the scene; what
+/// comes up here is added.
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings, const Progress& progress = {});
+/// Throws InputError where RUN is not a prepared run.
+Prepared load_prepared(const std::string& run_directory);
+/// Is `run_directory` prepared for the scene with this hash, and with this configuration?
+bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
+                 const PrepareConfig& config);
+
+/// Reads a scene, wherever it comes from, and its warnings.
+using SceneSource = std::function<Scene(Warnings&)>;
+
+/// Reads the scene and prepares RUN for it; where RUN is prepared for it already, with this
+/// configuration or with proofs of what is hidden besides, that is kept and loaded. `read` may be
+/// empty: RUN must be prepared then. With `resume`, a RUN that has a solution of another
+/// scene is refused (InputError), not prepared anew. The scene's warnings are in the result.
+Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
+                         const PrepareConfig& config, const Progress& progress = {},
+                         bool resume = false);
+
+}  // namespace enfilade

@@ -1,0 +1,15 @@
+// The solution that a RUN directory holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hierarchy/cluster_state.hpp"
+
+namespace enfilade {
+
+/// All clusters of the last committed iteration, in order of their ids; with their links where
+/// asked. Throws InputError where RUN holds no solution, RunError for a damaged file.
+std::vector<ClusterState> read_solution(const std::string& run_directory, bool links = false);
+
+}  // namespace enfilade

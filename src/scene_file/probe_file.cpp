@@ -1,0 +1,36 @@
+// Probe files: a list of points, and the same list with answers.
+#include "base/error.hpp"
+#include "json/json_text.hpp"
+#include "scene_file/key_reader.hpp"
+#include "scene_file/scene_io.hpp"
+
+namespace enfilade {
+
+std::vector<Probe> read_probes(const std::string& path) {
+  const nlohmann::json document = parse_json(read_bytes(path), path);
+  const KeyReader keys(path);
+  keys.list(keys.need(document, "probes", "top level"), "probes");
+  return keys.probes(document, keys.metres_per_unit(document), nullptr);
+}
+
+void write_probe_answers(const std::string& source_path, const std::string& path,
+                         const std::vector<Spectrum>& irradiance, const std::string& from,
+                         ExitanceUnit unit) {
+  nlohmann::ordered_json document = parse_ordered_json(read_bytes(source_path), source_path);
+  // Where the probes came with a scene, its geometry is no part of the answer.
+  document.erase("surfaces");
+  document.erase("lights");
+  // All light in the answer is in the unit of the run.
+  if (document.contains("exitanceUnits")) document["exitanceUnits"] = name_of(unit);
+  document["from"] = from;
+  document["unit"] = irradiance_label(unit);
+  nlohmann::ordered_json& probes = document["probes"];
+  ENFILADE_CHECK(
+      probes.size() == irradiance.size(),
+      std::to_string(probes.size()) + " probes, " + std::to_string(irradiance.size()) + " answers");
+  for (std::size_t i = 0; i < irradiance.size(); ++i) probes[i]["E"] = irradiance[i];
+  write_file_atomically(
+      path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace enfilade

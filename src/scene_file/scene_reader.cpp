@@ -1,0 +1,190 @@
+// Reads the JSON scene; the format is described in scenes/scene.schema.json.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "json/json_text.hpp"
+#include "scene_file/key_reader.hpp"
+#include "scene_file/scene_io.hpp"
+
+namespace enfilade {
+namespace {
+
+using nlohmann::json;
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& path, Warnings& warnings) : keys_(path), warnings_(warnings) {}
+
+  Scene read(std::string text) {
+    const json document = parse_json(text, keys_.file());
+    scene_.file = keys_.file();
+    scene_.hash = XXH64(text.data(), text.size(), 0);
+    read_head(document);
+    const json& surfaces = keys_.list(keys_.need(document, "surfaces", "top level"), "surfaces");
+    if (surfaces.empty())
+      keys_.fail("surfaces", "is an empty list", "a scene needs at least one surface");
+    scene_.surfaces.reserve(surfaces.size());
+    for (std::size_t i = 0; i < surfaces.size(); ++i) read_surface(surfaces[i], i);
+    read_lights(document);
+    scene_.probes = keys_.probes(document, scale_, &unknown_);
+    broadcast();
+    warn();
+    scene_.text = std::move(text);
+    return std::move(scene_);
+  }
+
+ private:
+  void read_head(const json& document) {
+    if (!document.is_object())
+      keys_.fail("top level", "is not an object", "write {\"surfaces\": [...]}");
+    for (auto it = document.begin(); it != document.end(); ++it) {
+      const std::string& key = it.key();
+      if (key == "format" && *it != "enfilade-scene") {
+        keys_.fail(key, "is " + shown(*it) + ", not a scene",
+                   "write \"enfilade-scene\" or give a scene file");
+      } else if (key == "version" && *it != 1) {
+        keys_.fail(key, "is " + shown(*it) + ", which this program does not know",
+                   "write version 1");
+      } else if (key == "exitanceUnits") {
+        read_unit(*it);
+      } else if (key != "format" && key != "version" && key != "units" && key != "surfaces" &&
+                 key != "lights" && key != "probes") {
+        unknown_.insert(key);
+      }
+    }
+    scale_ = keys_.metres_per_unit(document);
+  }
+
+  void read_unit(const json& value) {
+    const std::string unit = keys_.text(value, "exitanceUnits");
+    if (unit == "lm/m2")
+      scene_.unit = ExitanceUnit::lumen_per_m2;
+    else if (unit != "W/m2")
+      keys_.fail("exitanceUnits", "is " + in_quotes(unit), "write \"W/m2\" or \"lm/m2\"");
+  }
+
+  void read_surface(const json& entry, std::size_t index) {
+    Surface surface;
+    std::string where = "surfaces[" + std::to_string(index) + "]";
+    const json& vertices = keys_.need(entry, "vertices", where);
+    if (entry.contains("name")) surface.name = keys_.text(entry["name"], where + ".name");
+    if (!surface.name.empty()) where.append(" ").append(in_quotes(surface.name));
+    for (auto it = entry.begin(); it != entry.end(); ++it) {
+      const std::string& key = it.key();
+      if (key == "reflectance") {
+        surface.reflectance = keys_.spectrum(*it, where + ".reflectance", 1.0);
+        note_bands(surface.reflectance, where + ".reflectance");
+      } else if (key == "exitance") {
+        surface.exitance =
+            keys_.spectrum(*it, where + ".exitance", std::numeric_limits<double>::infinity());
+        note_bands(surface.exitance, where + ".exitance");
+      } else if (key == "object") {
+        surface.object = keys_.text(*it, where + ".object");
+      } else if (key == "two_sided") {
+        surface.two_sided = keys_.flag(*it, where + ".two_sided");
+      } else if (key != "vertices" && key != "name") {
+        unknown_.insert("surfaces[]." + key);
+      }
+    }
+    if (surface.reflectance.empty()) warnings_.add(where, "has no reflectance: taken as 0 (black)");
+    read_vertices(vertices, where + ".vertices", surface.vertices);
+    scene_.surfaces.push_back(std::move(surface));
+  }
+
+  void read_vertices(const json& vertices, const std::string& where, Polygon& polygon) {
+    if (keys_.list(vertices, where).size() < 3) {
+      keys_.fail(where, "has " + std::to_string(vertices.size()) + " points",
+                 "a polygon needs 3 or more");
+    }
+    polygon.reserve(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const json& v = vertices[i];
+      const bool fine =
+          v.is_array() && v.size() == 3 && v[0].is_number() && v[1].is_number() && v[2].is_number();
+      polygon.push_back(scale_ *
+                        (fine ? Vec3(v[0].get<double>(), v[1].get<double>(), v[2].get<double>())
+                              : keys_.point(v, where + "[" + std::to_string(i) + "]")));
+    }
+  }
+
+  void read_lights(const json& document) {
+    const auto it = document.find("lights");
+    if (it == document.end()) return;
+    for (std::size_t i = 0; i < keys_.list(*it, "lights").size(); ++i) {
+      const json& entry = (*it)[i];
+      const std::string where = "lights[" + std::to_string(i) + "]";
+      const json& type = keys_.need(entry, "type", where);
+      if (type != "point")
+        keys_.fail(where + ".type", "is " + shown(type) + ", not a known kind", "write \"point\"");
+      for (auto key = entry.begin(); key != entry.end(); ++key) {
+        if (key.key() == "distribution" && *key != "isotropic") {
+          keys_.fail(where + ".distribution", "is " + shown(*key),
+                     "write \"isotropic\", or leave it out");
+        }
+        if (key.key() != "type" && key.key() != "p" && key.key() != "intensity" &&
+            key.key() != "distribution") {
+          unknown_.insert("lights[]." + key.key());
+        }
+      }
+      PointLight light;
+      light.p = scale_ * keys_.point(keys_.need(entry, "p", where), where + ".p");
+      light.intensity = keys_.spectrum(keys_.need(entry, "intensity", where), where + ".intensity",
+                                       std::numeric_limits<double>::infinity());
+      note_bands(light.intensity, where + ".intensity");
+      scene_.lights.push_back(std::move(light));
+    }
+  }
+
+  // The first list of more than one value says how many bands the scene has; single values fit any
+  // number.
+  void note_bands(const Spectrum& spectrum, const std::string& where) {
+    const int bands = static_cast<int>(spectrum.size());
+    if (bands <= 1 || bands == scene_.bands) return;
+    if (scene_.bands != 1) {
+      keys_.fail(where,
+                 "has " + std::to_string(bands) + " bands, but " + bands_from_ + " has " +
+                     std::to_string(scene_.bands),
+                 "write one number, or the same number of bands everywhere");
+    }
+    scene_.bands = bands;
+    bands_from_ = where;
+  }
+
+  void broadcast() {
+    const auto fill = [this](Spectrum& s) {
+      const double value = s.empty() ? 0.0 : s[0];
+      if (s.size() <= 1) s.assign(static_cast<std::size_t>(scene_.bands), value);
+    };
+    for (Surface& surface : scene_.surfaces) {
+      fill(surface.reflectance);
+      fill(surface.exitance);
+    }
+    for (PointLight& light : scene_.lights) fill(light.intensity);
+  }
+
+  void warn() {
+    if (unknown_.empty()) return;
+    std::string keys;
+    for (const std::string& key : unknown_) keys += (keys.empty() ? "" : ", ") + key;
+    warnings_.add(keys, "unknown keys, ignored");
+  }
+
+  KeyReader keys_;
+  Warnings& warnings_;
+  Scene scene_;
+  double scale_ = 1.0;
+  std::string bands_from_;
+  std::set<std::string> unknown_;
+};
+
+}  // namespace
+
+Scene read_scene(const std::string& path, Warnings& warnings) {
+  return SceneReader(path, warnings).read(read_bytes(path));
+}
+
+}  // namespace enfilade

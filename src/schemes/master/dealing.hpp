@@ -1,0 +1,56 @@
+// The loop of the schemes with a master: rank 0 owns the files and deals out the work, all others
+// gather, and everything goes by messages (§2.1, §2.2).
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "schemes/master/dealer.hpp"
+#include "schemes/master/remote_files.hpp"
+#include "schemes/protocol/judge.hpp"
+
+namespace enfilade {
+
+/// A round of an iteration. Slave to master: WorkRequest; master to slave: WorkOrder. On the way,
+/// as often as needed, SectionRequest and SectionReply, and a ClusterResult for each gather. After
+/// an order without clusters, slave to master: Token; when all have come, master to slaves:
+/// Verdict.
+class Master {
+ public:
+  /// All must outlive it. `work` gathers nothing here: it merges, corrects and commits.
+  Master(ClusterWork& work, ClusterStore& store, Dealer& dealer, Communicator& communicator,
+         Machine& machine, Judge& judge, bool coarse_correction)
+      : work_(work),
+        store_(store),
+        dealer_(dealer),
+        communicator_(communicator),
+        machine_(machine),
+        judge_(judge),
+        coarse_correction_(coarse_correction) {}
+  /// Runs iterations from `plan` on until one is the last; returns the plan that ended the run.
+  IterationPlan run(IterationPlan plan, std::vector<double> changes);
+
+ private:
+  /// Serves the slaves until each has sent its token; everybody's numbers.
+  Token deal();
+  void serve(Rank slave, Message message);
+  /// Answers those that can be answered now.
+  void answer_waiting();
+
+  ClusterWork& work_;
+  ClusterStore& store_;
+  Dealer& dealer_;
+  Communicator& communicator_;
+  Machine& machine_;
+  Judge& judge_;
+  bool coarse_correction_;
+  std::vector<Rank> waiting_;  ///< for an order, in the order of their requests
+  std::map<Rank, Token> tokens_;
+};
+
+/// A slave's side. Returns the plan that ended the run.
+IterationPlan run_slave(ClusterWork& work, RemoteFiles& files, Communicator& communicator,
+                        Machine& machine, bool coarse_correction, IterationPlan plan,
+                        std::vector<double> changes);
+
+}  // namespace enfilade

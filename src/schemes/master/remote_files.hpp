@@ -1,0 +1,68 @@
+// A slave's way to the clusters: by messages to the master, who alone reads and writes the files.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "machine/machine.hpp"
+#include "schemes/protocol/messages.hpp"
+#include "store/cluster_store.hpp"
+
+namespace enfilade {
+
+class RemoteFiles final : public ClusterFiles {
+ public:
+  /// Both must outlive it.
+  RemoteFiles(Communicator& communicator, Machine& machine)
+      : communicator_(communicator), machine_(machine) {}
+
+  /// These have been gathered for in this iteration, by others: their newest light may be seen.
+  void know_gathered(std::span<const ClusterId> clusters) {
+    written_.insert(clusters.begin(), clusters.end());
+  }
+
+  void set_committed(int iteration) override { committed_ = iteration; }
+  int committed() const override { return committed_; }
+  /// Fetches them in one message; each is kept until it is read, once.
+  void announce(std::span<const SectionName> sections) override;
+  SectionFile read_geometry(ClusterId id) override { return take({id, Section::geometry}); }
+  SectionFile read_patches(ClusterId id) override {
+    return take({id, Section::patches, !written(id)});
+  }
+  SectionFile read_committed_patches(ClusterId id) override {
+    return take({id, Section::patches, true});
+  }
+  SectionFile read_links(ClusterId id) override { return take({id, Section::links}); }
+  /// Sends them to the master.
+  void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
+             std::span<const std::byte> links, const RecordCount& links_count) override;
+  bool written(ClusterId id) const override { return written_.contains(id); }
+  /// The master moves the files; what was fetched is out of date.
+  void move_to_common() override;
+
+ private:
+  SectionFile take(const SectionName& name);
+
+  Communicator& communicator_;
+  Machine& machine_;
+  int committed_ = 0;
+  std::set<ClusterId> written_;
+  std::map<SectionName, SectionFile> fetched_;
+};
+
+/// The master's side: reads what a slave asks for, and writes what one has made.
+SectionReply read_for(ClusterStore& store, const SectionRequest& request);
+void write_for(ClusterStore& store, const ClusterResult& result);
+
+/// Waits for the next message, which must be a T; for ranks that talk to the master alone.
+template <class T>
+T receive_from_master(Communicator& communicator, Machine& machine) {
+  Received received = receive(communicator, machine);
+  T* message = std::get_if<T>(&received.message);
+  if (message == nullptr)
+    throw RunError("the master sent a message that the slave did not wait for");
+  return std::move(*message);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,154 @@
+#include "schemes/protocol/gather_cost.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/byte_stream.hpp"
+#include "base/posix_file.hpp"
+#include "run/history.hpp"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view mark = "ENFCOST2";
+
+void put_cost(ByteWriter& w, const GatherCost& cost) {
+  const FoldedNumbers figures = to_numbers(cost.sums);
+  w.put(cost.cluster);
+  w.put_all(figures.maxima);
+  w.put_all(figures.sums);
+  w.put(cost.patches);
+  w.put(cost.links);
+  w.put_all(cost.coupled);
+}
+
+GatherCost get_cost(ByteReader& r) {
+  GatherCost cost;
+  cost.cluster = r.get<ClusterId>();
+  const auto maxima = r.get_all<double>();
+  const auto sums = r.get_all<double>();
+  cost.sums = figures_from(maxima, sums);
+  cost.patches = r.get<SectionWeight>();
+  cost.links = r.get<SectionWeight>();
+  cost.coupled = r.get_all<std::uint32_t>();
+  return cost;
+}
+
+std::vector<std::string> files_of(const fs::path& directory) {
+  std::vector<std::string> files;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(directory, missing)) {
+    files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+[[noreturn]] void incomplete(const std::string& run_directory, const std::string& what) {
+  throw InputError(run_directory, "costs", what, "solve it again, then replay it");
+}
+
+/// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
+template <class Take>
+void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
+                    LightOrder& light, Take take) {
+  std::vector<bool> seen(clusters, false);
+  for (const std::string& path : files_of(run_directory + "/costs/" + std::to_string(iteration))) {
+    const std::vector<std::byte> bytes = read_file(path);
+    ByteReader r(bytes, path);
+    r.expect(mark);
+    light = r.get<LightOrder>();
+    for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
+      const ClusterId cluster = take(r);
+      if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");
+      seen[cluster.index()] = true;
+    }
+    r.expect_end();
+  }
+  if (std::find(seen.begin(), seen.end(), false) != seen.end()) {
+    incomplete(run_directory, "lacks gathers of iteration " + std::to_string(iteration));
+  }
+}
+
+}  // namespace
+
+ClusterWeight Recording::weight(ClusterId cluster, int iteration) const {
+  ClusterWeight weight = start[cluster.index()];
+  if (iteration == 0) return weight;
+  const GatherCost& cost = gathers[static_cast<std::size_t>(iteration) - 1][cluster.index()];
+  weight.patches = cost.patches;
+  weight.links = cost.links;
+  return weight;
+}
+
+void CostRecorder::add_start(const ClusterState& state) {
+  ClusterWeight weight;
+  weight.geometry = {state.patches().polygons(), state.bytes_of(Section::geometry).size(), 0, 0};
+  weight.patches = {state.patches().size(), state.bytes_of(Section::patches).size(),
+                    state.memory_bytes(), 0};
+  const std::vector<std::byte> links = state.bytes_of(Section::links);  // none yet
+  weight.links = {0, links.size(), 0, checksum(links)};
+  start_.emplace_back(state.id(), weight);
+}
+
+void CostRecorder::write(int iteration) {
+  ByteWriter w;
+  w.put_mark(mark);
+  w.put(light_);
+  if (iteration == 0) {
+    w.put(static_cast<std::uint64_t>(start_.size()));
+    for (const auto& [cluster, weight] : start_) {
+      w.put(cluster);
+      w.put(weight);
+    }
+  } else {
+    w.put(static_cast<std::uint64_t>(gathers_.size()));
+    for (const GatherCost& cost : gathers_) put_cost(w, cost);
+  }
+  start_.clear();
+  gathers_.clear();
+  const std::string directory = directory_ + std::to_string(iteration);
+  make_directory(directory);
+  write_file(directory + "/rank-" + std::to_string(rank_.value), w.take(), {});
+}
+
+void drop_costs(const std::string& run_directory, int committed) {
+  for (const std::string& path : files_of(run_directory + "/costs")) {
+    if (std::atoi(fs::path(path).filename().c_str()) > committed) remove_directory(path);
+  }
+}
+
+Recording read_recording(const std::string& run_directory, std::size_t clusters) {
+  const auto manifest = read_manifest(RunLayout(run_directory));
+  if (!manifest || !manifest->finished) {
+    throw InputError(run_directory, "--replay", "not a run that was solved to its end",
+                     "solve it first, or go on with it by --resume");
+  }
+  Recording recording;
+  recording.history = history_of(manifest);
+  recording.basis = manifest->basis;
+  recording.start.resize(clusters);
+  read_iteration(run_directory, 0, clusters, recording.light, [&](ByteReader& r) {
+    const auto id = r.get<ClusterId>();
+    const auto weight = r.get<ClusterWeight>();
+    if (id.index() < clusters) recording.start[id.index()] = weight;
+    return id;
+  });
+  for (int k = 1; k <= manifest->iteration; ++k) {
+    auto& gathers = recording.gathers.emplace_back(clusters);
+    read_iteration(run_directory, k, clusters, recording.light, [&](ByteReader& r) {
+      GatherCost cost = get_cost(r);
+      const ClusterId id = cost.cluster;
+      if (id.index() < clusters) gathers[id.index()] = std::move(cost);
+      return id;
+    });
+  }
+  if (!recording.gathers.empty()) {
+    recording.bands = recording.gathers.front().front().sums.absorbed_power.size();
+  }
+  return recording;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,76 @@
+// The real work: hierarchical radiosity on clusters from the store.
+#pragma once
+
+#include <vector>
+
+#include "coarse/coarse_correction.hpp"
+#include "machine/machine.hpp"
+#include "occluders/occluders.hpp"
+#include "run/manifest.hpp"
+#include "run/prepare.hpp"
+#include "schemes/protocol/cluster_work.hpp"
+#include "schemes/protocol/gather_cost.hpp"
+#include "store/cluster_files.hpp"
+#include "store/resident_clusters.hpp"
+
+namespace enfilade {
+
+struct RadiosityWorkConfig {
+  Basis basis = Basis::linear;
+  int max_depth = 20;
+  double min_area_m2 = 0.0;
+  std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
+  LightOrder light;
+  MemoryManager memory_manager = MemoryManager::own;
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::exact;
+};
+
+class RadiosityWork final : public ClusterWork {
+ public:
+  /// All but `config` must outlive it.
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
+                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
+
+  /// Takes in a cluster as it is before the first iteration; its files must be there.
+  void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
+  void set_next_use(ResidentClusters::NextUse next_use) {
+    resident_.set_next_use(std::move(next_use));
+  }
+
+  void begin(const IterationPlan& plan, std::span<const double> changes) override;
+  IterationFigures gather(ClusterId receiver) override;
+  void hold(std::span<const ClusterId> receivers) override;
+  std::vector<ClusterId> resident() const override { return resident_.resident(); }
+  void move_to_common() override;
+  std::vector<double> coarse() const override { return coarse_.to_numbers(); }
+  std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
+  Correction correct(std::span<const double> coarse) const override;
+  void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
+              bool finished) override;
+
+  ResidencyCount residency_count() const { return resident_.count(); }
+  const Occluders& occluders() const { return occluders_; }
+  const CoarseUnknowns& unknowns() const { return unknowns_; }
+
+ private:
+  ResidualConfig sampling(const IterationPlan& plan) const;
+  /// In ascending order, itself among them.
+  std::vector<ClusterId> visible_to(ClusterId receiver) const;
+
+  const Prepared& prepared_;
+  const RunLayout& layout_;
+  ClusterFiles& files_;
+  Machine& machine_;
+  CostRecorder& recorder_;
+  RadiosityWorkConfig config_;
+  ResidentClusters resident_;
+  Occluders occluders_;
+  GatherConfig gather_config_;
+  CoarseUnknowns unknowns_;
+  std::size_t bands_ = 1;
+  double area_m2_ = 0.0;  ///< of all clusters
+  CoarseSystem coarse_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,30 @@
+// RUN/stats.json of the contract: what all ranks did, put together on rank 0.
+#pragma once
+
+#include <vector>
+
+#include "base/run_record.hpp"
+#include "comm/communicator.hpp"
+#include "run/prepare.hpp"
+#include "solver/iteration_plan.hpp"
+#include "store/cluster_store.hpp"
+#include "store/resident_clusters.hpp"
+
+namespace enfilade {
+
+/// What one rank did in a solve.
+struct RankStatistics {
+  TimeUse time;
+  double span_s = 0.0;  ///< of the machine's clock, from the first iteration's begin to the end
+  StoreCount store;
+  ResidencyCount residency;
+  MessageCount sent;
+};
+
+/// All ranks call it. On rank 0: the record, without wall_s and solve_s; elsewhere it is empty.
+RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectrum& emitted,
+                            const std::vector<IterationSummary>& history, const IterationPlan& last,
+                            const RankStatistics& own, Communicator& communicator,
+                            const Machine& machine);
+
+}  // namespace enfilade

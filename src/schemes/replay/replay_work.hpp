@@ -1,0 +1,61 @@
+// A recorded run's gathers in place of the kernels: the same store, memory, stealing and token
+// ring, priced by the machine, at a small part of the real time.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coarse/coarse_correction.hpp"
+#include "machine/machine.hpp"
+#include "run/prepare.hpp"
+#include "schemes/protocol/cluster_work.hpp"
+#include "schemes/protocol/gather_cost.hpp"
+#include "store/cluster_store.hpp"
+#include "store/resident_clusters.hpp"
+
+namespace enfilade {
+
+/// What all ranks of a replay read, and none changes.
+struct ReplayShared {
+  Prepared prepared;
+  Recording recording;
+  CoarseUnknowns unknowns;
+  Spectrum emitted;                    ///< power, per band
+  std::vector<double> emitted_powers;  ///< by cluster
+};
+
+class ReplayWork final : public ClusterWork {
+ public:
+  ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout, Rank rank,
+             Machine& machine, std::uint64_t memory_bytes, MemoryManager manager);
+
+  /// As RadiosityWork::initialise().
+  void initialise(std::span<const ClusterId> own);
+  void set_next_use(std::function<std::uint64_t(ClusterId, bool)> next_use) {
+    resident_.set_next_use(std::move(next_use));
+  }
+
+  void begin(const IterationPlan& plan, std::span<const double> changes) override;
+  IterationFigures gather(ClusterId receiver) override;
+  std::vector<ClusterId> resident() const override { return resident_.resident(); }
+  void move_to_common() override { store_.move_to_common(); }
+  std::vector<double> coarse() const override { return coarse_.to_numbers(); }
+  std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
+  /// Of the recorded size and sums, and of no effect on patches.
+  Correction correct(std::span<const double> coarse) const override;
+  void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
+              bool finished) override;
+
+  const StoreCount& store_count() const { return store_.count(); }
+  ResidencyCount residency_count() const { return resident_.count(); }
+
+ private:
+  std::shared_ptr<const ReplayShared> shared_;
+  Machine& machine_;
+  ClusterStore store_;
+  BasicResidentClusters<RecordedCluster> resident_;
+  CoarseSystem coarse_;
+  int iteration_ = 0;
+};
+
+}  // namespace enfilade

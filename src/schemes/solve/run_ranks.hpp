@@ -1,0 +1,58 @@
+// What solving and replaying have in common: who owns what, what a tour costs, and the record of
+// the run.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "schemes/protocol/run_statistics.hpp"
+#include "schemes/solve/solve.hpp"
+
+namespace enfilade {
+
+/// The rank that each cluster belongs to: decided on rank 0, the same everywhere. All ranks call.
+std::vector<Rank> agree_on_owners(const Prepared& prepared, const SolveConfig& config,
+                                  Communicator& communicator);
+std::vector<ClusterId> clusters_of(std::span<const Rank> owners, Rank rank);
+
+/// OVG's costs before anything was refined; `memory_bytes` 0 = no limit.
+VisibilityCost tour_cost(const Prepared& prepared, Basis basis, std::uint64_t memory_bytes);
+
+/// One object for all ranks where they share an address space (simulated ones do), else one a rank.
+/// All ranks call; where `make` throws on rank 0, all leave as from on_root().
+template <class T, class Make>
+std::shared_ptr<const T> share(Communicator& communicator, const Machine& machine, Make make) {
+  if (!machine.simulated()) return std::make_shared<const T>(make());
+  std::shared_ptr<const T> object;
+  communicator.on_root([&] { object = std::make_shared<const T>(make()); });
+  const std::shared_ptr<const T>* first = &object;
+  std::string address(reinterpret_cast<const char*>(&first), sizeof first);
+  address = communicator.broadcast(address);
+  std::memcpy(&first, address.data(), sizeof first);
+  if (!communicator.root()) object = *first;
+  communicator.barrier();  // rank 0's pointer lives until all have copied it
+  return object;
+}
+
+/// What each cluster emits, in its brightest band; the scene's point lights are on none.
+std::vector<double> emitted_powers(const Prepared& prepared);
+
+/// The run that is about to start.
+struct RankRun {
+  const Prepared& prepared;
+  Basis basis = Basis::linear;
+  Spectrum emitted;                                               ///< power, per band
+  std::vector<IterationSummary> history;                          ///< what came before, on rank 0
+  std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
+};
+/// All iterations; appends to the history, on rank 0. Returns the plan that ended them.
+using IterationRun = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
+
+/// All ranks call it. The record of RUN/stats.json, on rank 0; elsewhere empty.
+RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
+                    const IterationRun& iterate);
+
+}  // namespace enfilade

@@ -1,0 +1,60 @@
+// The solve, from a prepared RUN to its solution: assignment, CYCLE, and the SPMD loop of figure 2.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "assignment/assignment.hpp"
+#include "base/run_record.hpp"
+#include "comm/communicator.hpp"
+#include "hierarchy/cluster_state.hpp"
+#include "links/refinement_oracle.hpp"
+#include "machine/machine.hpp"
+#include "run/prepare.hpp"
+#include "schemes/solve/scheme.hpp"
+#include "solver/iteration_plan.hpp"
+#include "store/placement.hpp"
+#include "tour/order.hpp"
+
+namespace enfilade {
+
+struct SolveConfig {
+  std::string run_directory;
+  std::string local_directory;  ///< parent of the ranks' local directories; empty = RUN/local
+  Basis basis = Basis::linear;
+  double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
+  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
+  double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
+  /// With more links than this, what is read off patches is not held to target_error; 0 = never
+  std::uint64_t patch_links = 500000;
+  std::uint64_t memory_bytes =
+      0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
+  MemoryManager memory_manager = MemoryManager::own;
+  std::uint64_t seed = 1;
+  Scheme scheme = Scheme::spmd;
+  AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< spmd's
+  TourOrder order = TourOrder::travelling_salesman;
+  bool steal = true;
+  bool coarse_correction = true;  ///< false: the paper's group iteration as it is
+  bool jacobi = false;  ///< every gather takes the last iteration's light, a rank's own included
+  bool resume = false;  ///< go on from the last committed iteration
+  int max_iterations = 200;
+  OracleKind oracle = OracleKind::error;
+  VisibilityMethod visibility = VisibilityMethod::exact;
+  int max_depth = 20;  ///< of refinement, see GatherConfig
+  double min_area_m2 = 0.0;
+};
+
+/// Called on rank 0 after every committed iteration.
+using IterationObserver = std::function<void(const IterationSummary&)>;
+
+/// All ranks call it with the same arguments. The record of RUN/stats.json (on rank 0; elsewhere
+/// empty). RUN/ then holds the solution: read_solution() of run/solution.hpp reads it.
+RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
+                Machine& machine, const IterationObserver& observer = {});
+
+/// owner[i] = the rank that cluster i is assigned to at the start (before anything is stolen).
+std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
+
+}  // namespace enfilade

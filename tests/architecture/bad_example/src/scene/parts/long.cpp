@@ -1,0 +1,315 @@
+#include "scene/scene.hpp"
+#include "base/error.hpp"
+
+int count() {
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  // one more
+  return 1;
+}
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more
+// and more

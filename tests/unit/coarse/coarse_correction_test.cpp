@@ -1,0 +1,120 @@
+#include "coarse/coarse_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/gather/box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(CoarseSystem, SolvesASmallSystemExactly) {
+  // Two clusters of 3 m2 that see each other fully: E1 = rho2 E2 + 1, E2 = rho1 E1; three Jacobi
+  // sweeps from zero have made E = (1, 0), (1, rho1), (1 + rho1 rho2, rho1). The correction must
+  // lead to the fixed point at once.
+  const double rho1 = 0.9, rho2 = 0.8, both = rho1 * rho2;
+  CoarseSystem system(2, 1);
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+  CoarseRow first, second;
+  first.absorbed = {0.2};
+  first.escaping = {0.1};
+  second.absorbed = {0.1};
+  second.escaping = {0.05};
+  first.before = {3.0};
+  first.after = {3.0 * (1.0 + both)};
+  second.before = second.after = {3.0 * rho1};
+  first.entries = {{ClusterId(1u), true, {3.0 * both}}};
+  second.entries = {{ClusterId(0u), true, {3.0 * rho1}}};
+  system.add(ClusterId(0u), first, unknowns);
+  system.add(ClusterId(1u), second, unknowns);
+  const std::vector<double> x = CoarseSystem::from_numbers(system.to_numbers()).solve(unknowns);
+  const double e1 = 1.0 / (1.0 - both), e2 = rho1 * e1;
+  EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
+  EXPECT_NEAR(rho1 * (1.0 + x[1]), e2, 1e-5);
+  EXPECT_NEAR(system.power(x), 3.0 * (e1 - 1.0 - both + e2 - rho1), 1e-4);
+  EXPECT_NEAR(system.absorbed(x).front(), 0.2 * x[0] + 0.1 * x[1], 1e-12);
+  EXPECT_NEAR(system.escaping(x).front(), 0.1 * x[0] + 0.05 * x[1], 1e-12);
+}
+
+TEST(CoarseSystem, TakesLightThatWasReadFreshAsItIs) {
+  // As above, but the second cluster has read the first one's new light.
+  const double rho1 = 0.9, rho2 = 0.8, both = rho1 * rho2;
+  CoarseSystem system(2, 1);
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+  CoarseRow first, second;
+  first.absorbed = first.escaping = second.absorbed = second.escaping = {0.0};
+  first.before = {3.0};
+  first.after = {3.0 * (1.0 + both)};
+  second.before = {3.0 * rho1};
+  second.after = {3.0 * rho1 * (1.0 + both)};
+  first.entries = {{ClusterId(1u), true, {3.0 * both}}};
+  second.entries = {{ClusterId(0u), false, {3.0 * rho1 * (1.0 + both)}}};
+  system.add(ClusterId(0u), first, unknowns);
+  system.add(ClusterId(1u), second, unknowns);
+  const std::vector<double> x = system.solve(unknowns);
+  const double e1 = 1.0 / (1.0 - both);
+  EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
+  EXPECT_NEAR(rho1 * (1.0 + both) * (1.0 + x[1]), rho1 * e1, 1e-5);
+}
+
+TEST(CoarseSystem, LightThatNobodyGivesDies) {
+  // A sealed pair with light left over, which fades by a tenth a sweep: nothing comes in.
+  CoarseSystem system(2, 1);
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+  CoarseRow row;
+  row.before = {1.0};
+  row.after = {0.9};
+  row.absorbed = {0.09};
+  row.escaping = {0.0};
+  row.entries = {{ClusterId(1u), true, {0.9}}};
+  system.add(ClusterId(0u), row, unknowns);
+  row.entries = {{ClusterId(0u), true, {0.9}}};
+  system.add(ClusterId(1u), row, unknowns);
+  for (const double change : system.solve(unknowns)) EXPECT_NEAR(change, -1.0, 1e-4);
+}
+
+TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
+  for (const auto& [rho, zones] : std::vector<std::pair<double, bool>>{
+           {0.5, true}, {0.9, true}, {0.99, true}, {0.999, true}, {0.9, false}, {0.999, false}}) {
+    const testing::Solved with(testing::box_room({0, 0, 0}, {4, 4, 4}, {rho}, {1.0}), Basis::linear,
+                               1e-3, true, 500, zones);
+    EXPECT_LE(with.iterations, 12) << rho;
+    EXPECT_NEAR(with.states[0].patches().irradiance(0)[0] * (1.0 - rho), 1.0, 1e-4) << rho;
+  }
+  const testing::Solved corridor(testing::box_room({0, 0, 0}, {40, 4, 4}, {0.99}, {1.0}),
+                                 Basis::linear, 1e-3);
+  EXPECT_LE(corridor.iterations, 40);  // 150 with one unknown a wall
+  const testing::Solved without(testing::box_room({0, 0, 0}, {4, 4, 4}, {0.9}, {1.0}),
+                                Basis::linear, 1e-3, false);
+  EXPECT_GT(without.iterations, 30);
+}
+
+TEST(CoarseUnknowns, AreZonesWhereClustersAreFewAndSharedWhereTheyAreMany) {
+  std::vector<Cluster> clusters(3);
+  for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].id = ClusterId(i);
+  clusters[0].area_m2 = 3.0;
+  clusters[1].area_m2 = 1.0;
+  const CoarseUnknowns few = coarse_unknowns(clusters, 11);
+  EXPECT_EQ(few.zones, (std::vector<std::uint32_t>{7, 3, 1}));
+  EXPECT_EQ(few.first, (std::vector<std::uint32_t>{0, 7, 10}));
+  EXPECT_EQ(few.count, 11u);
+  const std::vector<double> numbers(22, 1.0);
+  EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).data(), numbers.data() + 14);
+  EXPECT_EQ(few.of(ClusterId(1u), numbers, 2).size(), 6u);
+  CoarseUnknowns read = few;
+  read.count = 0;
+  EXPECT_TRUE(read.complete(3, 22));
+  EXPECT_EQ(read.count, 11u);
+  EXPECT_FALSE(read.complete(3, 23));
+  EXPECT_FALSE(read.complete(2, 22));
+  read.first[1] = 8;
+  EXPECT_FALSE(read.complete(3, 24));
+  clusters[1].cell = clusters[2].cell = CellId(1u);
+  const CoarseUnknowns many = coarse_unknowns(clusters, 1, 2);
+  EXPECT_EQ(many.first, (std::vector<std::uint32_t>{0, 1, 1}));
+  EXPECT_EQ(many.count, 2u);
+  read = many;
+  EXPECT_TRUE(read.complete(3, 2));
+}
+
+}  // namespace
+}  // namespace enfilade

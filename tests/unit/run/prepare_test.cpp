@@ -1,0 +1,55 @@
+#include "run/prepare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene_file/scene_io.hpp"
+
+namespace enfilade {
+namespace {
+
+TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
+  const std::string run = testing::TempDir() + "/enfilade-prepare-test";
+  std::filesystem::remove_all(run);
+  Warnings warnings;
+  const Scene scene =
+      read_scene(std::string(ENFILADE_TEST_DATA) + "/scene/thin_gap.json", warnings);
+  PrepareConfig config;
+  EXPECT_FALSE(is_prepared(run, scene.hash, config));
+  prepare(scene, run, config, warnings);
+  EXPECT_TRUE(is_prepared(run, scene.hash, config));
+  EXPECT_FALSE(is_prepared(run, scene.hash + 1, config));
+  const auto other = [&](auto change) {
+    PrepareConfig changed = config;
+    change(changed);
+    return is_prepared(run, scene.hash, changed);
+  };
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.cells.tolerance_relative *= 1.0 + 1e-15; }));
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.sealed.seed = 2; }));
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.clusters.max_polygons = 8; }));
+  std::filesystem::remove_all(run);
+}
+
+TEST(Prepare, TheSceneThatWasReadIsTheOneThatIsKept) {
+  const std::string run = testing::TempDir() + "/enfilade-prepare-keeps", file = run + ".json";
+  std::filesystem::remove_all(run);
+  std::filesystem::copy_file(std::string(ENFILADE_TEST_DATA) + "/scene/slivers.json", file,
+                             std::filesystem::copy_options::overwrite_existing);
+  Warnings warnings, again;
+  const Scene scene = read_scene(file, warnings);
+  write_file_atomically(file, "overwritten meanwhile");
+  const Prepared made = prepare(scene, run, {}, warnings);
+  EXPECT_EQ(read_scene(run + "/scene.json", again).hash, scene.hash);
+
+  // What was said of the scene is said of its run whenever that is loaded.
+  const Prepared loaded = load_prepared(run);
+  EXPECT_FALSE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.warnings.summary(100), warnings.summary(100));
+  EXPECT_EQ(made.warnings.summary(100), warnings.summary(100));
+  std::filesystem::remove_all(run);
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace enfilade

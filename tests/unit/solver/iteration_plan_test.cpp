@@ -1,0 +1,159 @@
+#include "solver/iteration_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+namespace {
+
+/// An iteration that has settled; `bound`: what iterations to come can change at most.
+IterationSummary summary(int iteration, double bound, double links_refined = 0.0) {
+  IterationSummary s;
+  s.plan.iteration = iteration;
+  s.plan.close_rows = true;
+  s.error.iteration_bound = bound;
+  s.sums.change_power = 100.0 * bound;
+  s.sums.received_power = 100.0;
+  s.sums.links = 10000;
+  s.sums.work.links_refined = static_cast<std::uint64_t>(links_refined);
+  return s;
+}
+IterationSummary sampled(int iteration, double patch_error) {
+  IterationSummary s = summary(iteration, 0.0);
+  s.plan.sample = true;
+  s.plan.refine = false;
+  s.error.patches = patch_error;
+  return s;
+}
+
+const PlanConfig config{.emitted_power = {10.0, 1.0},
+                        .surfaces_power = {},
+                        .epsilon = 1e-3,
+                        .tolerance = 1e-4,
+                        .max_iterations = 50};
+
+TEST(IterationPlan, LinkToleranceIsAShareOfTheEmittedPower) {
+  EXPECT_DOUBLE_EQ(first_plan(config).link_tolerance, 0.01);
+  EXPECT_EQ(first_plan(config).iteration, 1);
+  EXPECT_FALSE(first_plan(config).finished);
+}
+
+TEST(IterationPlan, SamplesOnceTheLightIsStillThenEnds) {
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5)};
+  const IterationPlan sampling = next_plan(history, config);
+  EXPECT_FALSE(sampling.finished);
+  EXPECT_TRUE(sampling.sample);
+  EXPECT_FALSE(sampling.refine);
+  EXPECT_GE(sampling.sample_rays, 64);
+
+  history.push_back(sampled(3, 0.01));
+  const IterationPlan plan = next_plan(history, config);
+  EXPECT_TRUE(plan.finished);
+  EXPECT_TRUE(plan.converged);
+  EXPECT_EQ(plan.iteration, 4);
+}
+
+TEST(IterationPlan, GoesOnWhileLinksAreRefinedOrLightMoves) {
+  const std::vector<IterationSummary> refining = {summary(1, 0.5, 9000), summary(2, 5e-5, 5000)};
+  EXPECT_FALSE(next_plan(refining, config).finished);
+  EXPECT_FALSE(next_plan(refining, config).sample);
+  const std::vector<IterationSummary> moving = {summary(1, 0.5, 9000), summary(2, 0.01)};
+  EXPECT_FALSE(next_plan(moving, config).finished);
+  EXPECT_FALSE(next_plan(moving, config).sample);
+}
+
+TEST(IterationPlan, RowsOnceClosedStayClosed) {
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000)};
+  history.back().plan.close_rows = false;
+  EXPECT_FALSE(next_plan(history, config).close_rows);
+  history.push_back(summary(2, 0.05));
+  EXPECT_TRUE(next_plan(history, config).close_rows);
+  history.push_back(summary(3, 0.2));  // closing them has moved the light by more than that
+  EXPECT_TRUE(next_plan(history, config).close_rows);
+}
+
+TEST(IterationPlan, GivesUpAtTheLimitAndSaysSo) {
+  const std::vector<IterationSummary> history = {summary(49, 0.6), summary(50, 0.5)};
+  const IterationPlan plan = next_plan(history, config);
+  EXPECT_TRUE(plan.finished);
+  EXPECT_FALSE(plan.converged);
+}
+
+TEST(IterationPlan, RefinesUntilTheAskedErrorIsEstimated) {
+  const PlanConfig asked{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
+                                           sampled(3, 0.5)};  // half of the light: far above 2%
+  for (IterationSummary& s : history) s.plan.link_tolerance = 1e-3;
+  const IterationPlan finer = next_plan(history, asked);
+  EXPECT_FALSE(finer.finished);
+  EXPECT_LT(finer.link_tolerance, 0.7 * 1e-3 + 1e-12);
+  EXPECT_TRUE(finer.refine);
+
+  history.back() = sampled(3, 0.01);
+  EXPECT_TRUE(next_plan(history, asked).converged);
+
+  // A finer tolerance that finds nothing left to refine: it ends, and says that it did not get
+  // there.
+  history.back() = sampled(3, 0.5);
+  history.push_back(summary(4, 5e-5));
+  history.back().plan.link_tolerance = 0.5e-3;
+  history.back().error.patches = 0.5;
+  const IterationPlan stuck = next_plan(history, asked);
+  EXPECT_TRUE(stuck.finished);
+  EXPECT_FALSE(stuck.converged);
+}
+
+TEST(IterationPlan, PatchesAreHeldToTheTargetWhileTheLinksAreFew) {
+  PlanConfig asked{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
+  std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
+                                           sampled(3, 0.06)};
+  history.back().error.discretisation = 0.015;
+  asked.patch_links = history.back().sums.links;
+  EXPECT_FALSE(next_plan(history, asked).finished);
+  asked.patch_links -= 1;
+  EXPECT_TRUE(next_plan(history, asked).converged);
+  history.back().error.discretisation = 0.05;  // gathered light is held to it all the same
+  EXPECT_FALSE(next_plan(history, asked).finished);
+}
+
+TEST(IterationPlan, NumbersComeBackAsTheyWere) {
+  IterationSummary s = summary(7, 0.03125, 12);
+  s.plan.link_tolerance = 0.125;
+  s.plan.refine = false;
+  s.error = {0.1, 0.2, 0.3, 0.4, 0.5};
+  s.plan.sample_rays = 99;
+  s.plan.mend = {0.5, -0.25};
+  s.time_s = 9.0;
+  s.sums.max_change = 0.75;
+  s.sums.steals = 3;
+  s.sums.work.rays = 1234567890123;
+  s.sums.work.shafts = 8;
+  double next = 1.0;
+  for (Spectrum* spectrum :
+       {&s.sums.arriving_power, &s.sums.returning_power, &s.sums.absorbed_power,
+        &s.sums.escaping_power, &s.sums.beamed_power, &s.sums.doubtful_power,
+        &s.sums.residual.light, &s.sums.residual.surplus, &s.sums.residual.off,
+        &s.sums.residual.noise}) {
+    *spectrum = {next, next + 0.25};
+    next += 1.0;
+  }
+  const IterationSummary back = summary_from(to_numbers(s));
+  EXPECT_EQ(to_numbers(back), to_numbers(s));
+  EXPECT_EQ(back.plan.iteration, 7);
+  EXPECT_FALSE(back.plan.refine);
+  EXPECT_EQ(back.sums.work.rays, 1234567890123u);
+  EXPECT_EQ(back.sums.work.shafts, 8u);
+  EXPECT_EQ(back.error.iteration_bound, 0.5);
+  EXPECT_EQ(back.plan.sample_rays, 99);
+  EXPECT_EQ(back.plan.mend, s.plan.mend);
+  EXPECT_EQ(back.sums.absorbed_power, s.sums.absorbed_power);
+  EXPECT_EQ(back.sums.residual.noise, s.sums.residual.noise);
+  EXPECT_EQ(back.sums.escaping_power, s.sums.escaping_power);
+  EXPECT_THROW(summary_from(std::vector<double>(9, 1.0)), RunError);
+}
+
+}  // namespace
+}  // namespace enfilade
