@@ -1,5 +1,5 @@
 // Is anything between two points? In double precision and without an epsilon at the ends, where a
-// ray tracer is blind: the judge of what it takes for open.
+// ray tracer is blind: the monitor of what it takes for open.
 #pragma once
 
 #include <cstdint>

@@ -34,18 +34,19 @@ CoarseUnknowns shared_unknowns(std::span<const Cluster> clusters, std::size_t mo
 
 std::span<const double> CoarseUnknowns::of(ClusterId cluster, std::span<const double> numbers,
                                            std::size_t bands) const {
-  const std::size_t begin = first[cluster.index()] * bands, size = zones[cluster.index()] * bands;
+  const std::size_t begin = first[cluster.index()] * bands,
+                    size = aggregates[cluster.index()] * bands;
   ENFILADE_CHECK(begin + size <= numbers.size(), std::to_string(begin));
   return numbers.subspan(begin, size);
 }
 
 bool CoarseUnknowns::complete(std::size_t clusters, std::size_t numbers) {
-  if (first.size() != clusters || zones.size() != clusters) return false;
+  if (first.size() != clusters || aggregates.size() != clusters) return false;
   count = 0;
   for (std::size_t i = 0; i < clusters; ++i) {
-    const bool shares = i > 0 && zones[i] == 1 && first[i] + 1 == count;
-    if (zones[i] < 1 || !(shares || first[i] == count)) return false;
-    count = std::size_t{first[i]} + zones[i];
+    const bool shares = i > 0 && aggregates[i] == 1 && first[i] + 1 == count;
+    if (aggregates[i] < 1 || !(shares || first[i] == count)) return false;
+    count = std::size_t{first[i]} + aggregates[i];
   }
   return count > 0 && numbers % count == 0;
 }
@@ -60,9 +61,9 @@ CoarseUnknowns coarse_unknowns(std::span<const Cluster> clusters, std::size_t le
   CoarseUnknowns unknowns;
   for (const Cluster& cluster : clusters) {
     unknowns.first.push_back(static_cast<std::uint32_t>(unknowns.count));
-    unknowns.zones.push_back(
+    unknowns.aggregates.push_back(
         1 + static_cast<std::uint32_t>(more > 0.0 ? more * cluster.area_m2 / area_m2 : 0.0));
-    unknowns.count += unknowns.zones.back();
+    unknowns.count += unknowns.aggregates.back();
   }
   return unknowns;
 }
@@ -72,9 +73,11 @@ void for_each_coupling(
     const std::function<void(std::uint32_t, std::uint32_t, std::span<const double>, bool)>& take) {
   const std::size_t first = unknowns.first[receiver.index()];
   for (const CoarseRow::Entry& entry : row.entries) {
-    // Each receiving zone has a run of numbers, and all bands of each shooting zone one of those.
+    // Each receiving aggregate has a run of numbers, and all bands of each shooting aggregate one
+    // of those.
     const std::size_t shooting = unknowns.first[entry.shooter.index()];
-    const std::size_t run = entry.flow.size() / row.zones, bands = row.after.size() / row.zones;
+    const std::size_t run = entry.flow.size() / row.aggregates,
+                      bands = row.after.size() / row.aggregates;
     for (std::size_t i = 0; i < entry.flow.size(); i += bands) {
       const std::span flow = std::span(entry.flow).subspan(i, bands);
       if (std::all_of(flow.begin(), flow.end(), [](double f) { return f == 0.0; })) continue;
@@ -150,9 +153,10 @@ std::vector<double> CoarseSystem::solve(const CoarseUnknowns& unknowns) const {
   return changes;
 }
 
-/// How a link's light is shared out between the zones of its shooter is a guess, but what leaves
-/// the cluster is known: each zone gives the share of that which it reflects and which does not
-/// escape. And no unknown gives more than that, whatever rounding and the links' errors say.
+/// How a link's light is shared out between the aggregates of its shooter is a guess, but what
+/// leaves the cluster is known: each aggregate gives the share of that which it reflects and which
+/// does not escape. And no unknown gives more than that, whatever rounding and the links' errors
+/// say.
 std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& unknowns,
                                                         std::size_t band) const {
   std::vector<Column> columns(unknowns_);
@@ -172,9 +176,9 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
     return std::max(0.0, after_[at] - absorbed_[at] - escaping_[at]);
   };
   for (std::size_t c = 0; c < unknowns.first.size(); ++c) {
-    const std::size_t begin = unknowns.first[c], end = begin + unknowns.zones[c];
+    const std::size_t begin = unknowns.first[c], end = begin + unknowns.aggregates[c];
     if (end - begin < 2) continue;
-    double all = 0.0, then = 0.0;  // zones' light is read stale alone (LightOrder)
+    double all = 0.0, then = 0.0;  // aggregates' light is read stale alone (IterationMethod)
     for (std::size_t j = begin; j < end; ++j) {
       all += stale[j];
       then += gives(j) / columns[j].growth;

@@ -1,5 +1,5 @@
 // A coarse correction over clusters: one unknown a cluster and band, or a few where there are few
-// clusters (coarse_zones.hpp), so that the slow, smooth part of the error does not wait for light
+// clusters (aggregates.hpp), so that the slow, smooth part of the error does not wait for light
 // to be gathered from room to room and back, or along a corridor, whatever the number of ranks.
 //
 // Iterative aggregation (Takahashi 1975; Schweitzer 1991): the light of what shares an unknown
@@ -9,9 +9,9 @@
 // reflection,
 //   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d,   f' = f, times P_new / P_old of the shooter
 // where its light was read as it was before this iteration's gather. How light is shared out
-// between zones need only be roughly right: once it is at rest, z = 1 solves this whatever f is.
-// What is in the dark stays dark, and light that belongs to nobody (left over from a coarser mesh)
-// dies at once.
+// between aggregates need only be roughly right: once it is at rest, z = 1 solves this whatever f
+// is. What is in the dark stays dark, and light that belongs to nobody (left over from a coarser
+// mesh) dies at once.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,12 @@ namespace enfilade {
 struct CoarseRow {
   struct Entry {
     ClusterId shooter;
-    bool stale = false;        ///< the shooter had not been gathered for in this iteration yet
-    std::vector<double> flow;  ///< power that came from what the shooter reflects: ZoneFlow::take()
+    bool stale = false;  ///< the shooter had not been gathered for in this iteration yet
+    std::vector<double>
+        flow;  ///< power that came from what the shooter reflects: AggregateFlow::take()
   };
-  std::size_t zones = 1;  ///< of the receiving cluster
-  // [zone * bands + band]
+  std::size_t aggregates = 1;  ///< of the receiving cluster
+  // [aggregate * bands + band]
   std::vector<double> before, after;  ///< power that arrives, last gather and this one
   /// What of the power after is absorbed, and what of it leaves for good once reflected.
   std::vector<double> absorbed, escaping;
@@ -42,11 +43,11 @@ struct CoarseRow {
 
 /// Which unknowns the clusters have.
 struct CoarseUnknowns {
-  std::vector<std::uint32_t> first;  ///< by cluster
-  std::vector<std::uint32_t> zones;  ///< by cluster: how many from there on, at most
+  std::vector<std::uint32_t> first;       ///< by cluster
+  std::vector<std::uint32_t> aggregates;  ///< by cluster: how many from there on, at most
   std::size_t count = 0;
 
-  bool zoned() const { return count > first.size(); }
+  bool aggregated() const { return count > first.size(); }
   /// Counts them; false where these are not `clusters` clusters' unknowns in order, or `numbers`
   /// not as many for each.
   bool complete(std::size_t clusters, std::size_t numbers);
@@ -55,7 +56,7 @@ struct CoarseUnknowns {
                              std::size_t bands) const;
 };
 /// Up to `most` clusters have an unknown each, and if there are fewer than `least` unknowns then,
-/// more for their zones, by area; more than `most` clusters share, those of a cell first.
+/// more for their aggregates, by area; more than `most` clusters share, those of a cell first.
 CoarseUnknowns coarse_unknowns(std::span<const Cluster> clusters, std::size_t least = 128,
                                std::size_t most = 512);
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/random.hpp"
-#include "final_gather/bright_polygons.hpp"
+#include "final_gather/emitter_sampler.hpp"
 #include "geometry/sampling.hpp"
 
 namespace enfilade {
@@ -41,19 +41,19 @@ struct PointGather::Impl {
   std::span<const PointLight> lights;
   const Occluders* occluders;
   PointGatherConfig config;
-  BrightPolygons bright;
+  EmitterSampler bright;
   std::size_t bands;
   Spectrum mean_irradiance;
 
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      const BrightPolygons::Counted& counted, Spectrum& e) const;
+                      const EmitterSampler::ControlVariate& counted, Spectrum& e) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                    const BrightPolygons::Counted& counted, std::span<const double> weights,
+                    const EmitterSampler::ControlVariate& counted, std::span<const double> weights,
                     Spectrum& e) const;
   void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                std::span<const double> weights, const BrightPolygons::Counted& counted,
+                std::span<const double> weights, const EmitterSampler::ControlVariate& counted,
                 Random& random, Spectrum& e) const;
   double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
@@ -89,7 +89,7 @@ double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygo
 /// what differs from what is counted in that direction already.
 void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
                                  std::span<const double> weights,
-                                 const BrightPolygons::Counted& counted, Random& random,
+                                 const EmitterSampler::ControlVariate& counted, Random& random,
                                  Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
   for (int bounces = 0; bounces < 64; ++bounces) {
@@ -103,7 +103,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     const Vec3 at = from + hit.distance_m * direction;
-    const SeenNode* seen =
+    const VisibleNode* seen =
         is_counted != nullptr ? node_around(is_counted->nodes, patches, ref.polygon, at) : nullptr;
     for (std::size_t b = 0; b < bands && seen != nullptr; ++b) {
       e[b] -= share * seen->radiosity(patches, b, at);
@@ -136,7 +136,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
 /// Cosine-weighted rays, one in each stratum of the disc below the hemisphere (Nusselt). Returns
 /// the variance of what they bring, from the differences between neighbouring strata.
 Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                     Random& random, const BrightPolygons::Counted& counted,
+                                     Random& random, const EmitterSampler::ControlVariate& counted,
                                      std::span<const double> weights, Spectrum& e) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
@@ -163,7 +163,8 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
 
 /// Everything else, by rays, and by more of them where there is much noise in what they bring.
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                       Random& random, const BrightPolygons::Counted& counted,
+                                       Random& random,
+                                       const EmitterSampler::ControlVariate& counted,
                                        Spectrum& e) const {
   const std::vector<double> weights = bright.weights_near(p);
   Spectrum sum(bands, 0.0), variance(bands, 0.0);
@@ -220,7 +221,7 @@ Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
 PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
                          const Occluders& occluders, const PointGatherConfig& config)
     : impl_(std::make_unique<Impl>(
-          Impl{clusters, lights, &occluders, config, BrightPolygons(clusters, occluders),
+          Impl{clusters, lights, &occluders, config, EmitterSampler(clusters, occluders),
                clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
                mean_over(clusters)})) {}
 
@@ -232,7 +233,7 @@ Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
   Spectrum e(impl_->bands, 0.0);
   const std::uint32_t own = impl_->surface_at(p, n);
   const Vec3 x = impl_->lifted(p, n);
-  const BrightPolygons::Counted counted =
+  const EmitterSampler::ControlVariate counted =
       impl_->bright.add_largest(x, n, own, share_left_to_rays(impl_->config), e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
   impl_->add_hemisphere(x, n, own, random, counted, e);

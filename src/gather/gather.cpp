@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "coarse/coarse_coupling.hpp"
-#include "gather/row_closing.hpp"
+#include "coarse/aggregate_flow.hpp"
+#include "gather/row_closure.hpp"
 
 namespace enfilade {
 namespace {
@@ -25,15 +25,15 @@ class Gatherer {
         terms_(static_cast<std::size_t>(receiver.patches().terms())),
         first_time_(receiver.iteration() == 0),
         refinement_(receiver, lights, occluders, config.refinement, result_.figures.work),
-        closing_(receiver),
-        samples_(receiver, occluders, config.residual, result_.figures.work),
+        closure_(receiver),
+        samples_(receiver, occluders, config.error_samples, result_.figures.work),
         kept_(receiver.links().stride()),
         light_(bands_ * terms_),
         means_(bands_),
         flow_(bands_) {
-    result_.figures.beamed_power.assign(bands_, 0.0);
+    result_.figures.direct_power.assign(bands_, 0.0);
     result_.figures.returning_power.assign(bands_, 0.0);
-    result_.figures.doubtful_power.assign(bands_, 0.0);
+    result_.figures.uncertain_power.assign(bands_, 0.0);
   }
 
   void from_lights();
@@ -44,9 +44,9 @@ class Gatherer {
   void link_root(ClusterId cluster, PatchId shooter);
   void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
   void receive(const Link& link, std::span<const float> transport, const PatchForest* shooter,
-               ZoneFlow* flow);
+               AggregateFlow* flow);
   double read_light(const Link& link, const PatchForest* shooter);
-  void receive_beam(const Link& link, std::span<const float> transport);
+  void receive_group(const Link& link, std::span<const float> transport);
   void receive_patch(const Link& link, std::span<const float> transport);
   std::vector<double> arriving_power() const;
   Spectrum gathered_power() const;
@@ -61,8 +61,8 @@ class Gatherer {
   bool first_time_;
   GatherResult result_;
   LinkRefinement refinement_;
-  RowClosing closing_;
-  ResidualSamples samples_;
+  RowClosure closure_;
+  ErrorSamples samples_;
   std::size_t next_ = 0;  ///< link that has not had its turn; they lie in the shooters' order
   LinkSet kept_;          ///< links after refinement, once one of them has changed
   bool changed_ = false;
@@ -90,7 +90,7 @@ void Gatherer::from_lights() {
 
 void Gatherer::from(const ClusterState& shooter) {
   if (first_time_) link_root(shooter.id(), shooter.patches().root());
-  if (config_.close_rows) closing_.see(shooter);
+  if (config_.close_rows) closure_.see(shooter);
   samples_.from(shooter);
   const bool itself = shooter.id() == receiver_.id();
   take_links(shooter.id(), &shooter, itself || shooter.iteration() < config_.iteration);
@@ -116,9 +116,9 @@ void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool sta
   const LinkSet& now = changed_ ? kept_ : links;
   const std::size_t end = changed_ ? kept_.size() : next_;
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
-  std::optional<ZoneFlow> flow;
+  std::optional<AggregateFlow> flow;
   if (shooter != nullptr && config_.coarse_row)
-    flow.emplace(receiver_.patches(), receiver_.zones(), *shooter, state->zones());
+    flow.emplace(receiver_.patches(), receiver_.aggregates(), *shooter, state->aggregates());
   bool any = false;
   for (std::size_t i = kept_begin; i < end; ++i) {
     if (!now[i].evaluated) continue;
@@ -140,7 +140,7 @@ double Gatherer::read_light(const Link& link, const PatchForest* shooter) {
   if (link.shooter.is_group()) {
     const std::span<const double> mean = shooter->group_radiosity(link.shooter.group());
     for (std::size_t b = 0; b < bands_; ++b) light_[b * terms_] = mean[b];
-    return shooter->group_spread(link.shooter.group());
+    return shooter->group_deviation(link.shooter.group());
   }
   const std::size_t node = shooter->find(link.shooter);
   const std::span<const double> radiosity = shooter->radiosity(node);
@@ -155,7 +155,7 @@ double Gatherer::read_light(const Link& link, const PatchForest* shooter) {
 }
 
 void Gatherer::receive(const Link& link, std::span<const float> transport,
-                       const PatchForest* shooter, ZoneFlow* flow) {
+                       const PatchForest* shooter, AggregateFlow* flow) {
   const double variation = read_light(link, shooter);
   double top = 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -163,11 +163,11 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     top = std::max(top, std::abs(means_[b]));
   }
   result_.figures.link_error_power += link.error * top + link.variation * variation;
-  result_.figures.link_doubt_power += link.visibility_error() * top;
+  result_.figures.visibility_uncertainty_power += link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
   if (shooter == nullptr) {
-    for (std::size_t b = 0; b < bands_; ++b) result_.figures.beamed_power[b] += factor * means_[b];
+    for (std::size_t b = 0; b < bands_; ++b) result_.figures.direct_power[b] += factor * means_[b];
   } else {
     for (std::size_t b = 0; b < bands_; ++b) {
       flow_[b] = factor * (means_[b] - shooter->exitance(link.shooter, b));
@@ -175,12 +175,12 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     }
     if (flow != nullptr) flow->add(link, transport, flow_);
   }
-  if (config_.close_rows) closing_.add(link, transport, means_, variation);
-  link.receiver.is_group() ? receive_beam(link, transport) : receive_patch(link, transport);
+  if (config_.close_rows) closure_.add(link, transport, means_, variation);
+  link.receiver.is_group() ? receive_group(link, transport) : receive_patch(link, transport);
 }
 
 /// A group's beam goes to its polygons: each gets the cosine's share of what a facing plane would.
-void Gatherer::receive_beam(const Link& link, std::span<const float> transport) {
+void Gatherer::receive_group(const Link& link, std::span<const float> transport) {
   for_each_facing(receiver_.patches(), link, transport, [&](std::uint32_t k, double cosine) {
     for (std::size_t b = 0; b < bands_; ++b) {
       gathered_[(k * bands_ + b) * terms_] += transport[0] * cosine * means_[b];
@@ -206,7 +206,7 @@ GatherResult Gatherer::finish() {
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
   if (config_.close_rows) close_rows();
   push_pull();
-  result_.figures.residual = samples_.compare(receiver_);
+  result_.figures.error_samples = samples_.compare(receiver_);
   result_.figures.patches = receiver_.patches().size();
   result_.figures.links = receiver_.links().size();
   receiver_.set_iteration(config_.iteration);
@@ -222,15 +222,15 @@ Spectrum Gatherer::gathered_power() const {
       power[b] += patches.node(n).shape.area_m2 * gathered_[(n * bands_ + b) * terms_];
     }
   }
-  for (std::size_t b = 0; b < bands_; ++b) power[b] -= result_.figures.beamed_power[b];
+  for (std::size_t b = 0; b < bands_; ++b) power[b] -= result_.figures.direct_power[b];
   return power;
 }
 
 /// What is added to the rows came from all of the shooters, as far as the coarse system can tell.
 void Gatherer::close_rows() {
   const Spectrum before = gathered_power();
-  closing_.close(occluders_, config_.mend, result_.figures.work, gathered_);
-  result_.figures.doubtful_power = closing_.doubtful_power();
+  closure_.close(occluders_, config_.flux_correction, result_.figures.work, gathered_);
+  result_.figures.uncertain_power = closure_.uncertain_power();
   const Spectrum after = gathered_power();
   for (std::size_t b = 0; b < bands_; ++b) {
     if (before[b] <= 0.0 || after[b] <= 0.0) continue;
@@ -242,16 +242,16 @@ void Gatherer::close_rows() {
   }
 }
 
-/// [zone * bands + band]
+/// [aggregate * bands + band]
 std::vector<double> Gatherer::arriving_power() const {
   const PatchForest& patches = receiver_.patches();
-  std::vector<double> sums(receiver_.zones().size() * bands_, 0.0), power(bands_);
+  std::vector<double> sums(receiver_.aggregates().size() * bands_, 0.0), power(bands_);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     if (!patches.node(n).leaf()) continue;
     for (std::size_t b = 0; b < bands_; ++b) {
       power[b] = patches.node(n).shape.area_m2 * patches.irradiance(n)[b * terms_];
     }
-    receiver_.zones().add(patches, patches.node(n).id, power, sums);
+    receiver_.aggregates().add(patches, patches.node(n).id, power, sums);
   }
   return sums;
 }
@@ -266,9 +266,9 @@ void Gatherer::push_pull() {
   result_.figures.work.push_pulls += patches.size();
   result_.figures.absorbed_power.assign(bands_, 0.0);
   result_.figures.escaping_power.assign(bands_, 0.0);
-  const std::size_t zones = result_.coarse.zones = receiver_.zones().size();
-  result_.coarse.absorbed.assign(zones * bands_, 0.0);
-  result_.coarse.escaping.assign(zones * bands_, 0.0);
+  const std::size_t aggregates = result_.coarse.aggregates = receiver_.aggregates().size();
+  result_.coarse.absorbed.assign(aggregates * bands_, 0.0);
+  result_.coarse.escaping.assign(aggregates * bands_, 0.0);
   Spectrum absorbed(bands_), escaping(bands_);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -284,15 +284,15 @@ void Gatherer::push_pull() {
       absorbed[b] = (1.0 - reflectance) * power;
       escaping[b] = 0.0;
       result_.figures.absorbed_power[b] += absorbed[b];
-      if (patches.exposure(n) >= 0.0f) {
-        const double share = 1.0 - static_cast<double>(patches.exposure(n));
+      if (patches.enclosed_share(n) >= 0.0f) {
+        const double share = 1.0 - static_cast<double>(patches.enclosed_share(n));
         result_.figures.escaping_power[b] +=
             share * node.shape.area_m2 * patches.radiosity(n)[b * terms_];
         escaping[b] = share * reflectance * power;
       }
     }
-    receiver_.zones().add(patches, node.id, absorbed, result_.coarse.absorbed);
-    receiver_.zones().add(patches, node.id, escaping, result_.coarse.escaping);
+    receiver_.aggregates().add(patches, node.id, absorbed, result_.coarse.absorbed);
+    receiver_.aggregates().add(patches, node.id, escaping, result_.coarse.escaping);
   }
   result_.coarse.after = arriving_power();
   result_.figures.arriving_power = received;

@@ -25,8 +25,8 @@ struct GatherConfig {
   bool close_rows = false;
   /// Per band, with closed rows: share of its links' doubtful light that each patch gets on top (or
   /// loses), so that what leaves the surfaces arrives; empty = none.
-  Spectrum mend;
-  ResidualConfig residual;  ///< none at first
+  Spectrum flux_correction;
+  ErrorSampleConfig error_samples;  ///< none at first
 };
 
 /// What one gather did: its figures, and its row of the coarse correction.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/work_count.hpp"
-#include "gather/residual_samples.hpp"
+#include "gather/error_samples.hpp"
 
 namespace enfilade {
 
@@ -16,11 +16,11 @@ namespace enfilade {
 /// number are those of the worst band.
 struct IterationFigures {
   double max_change = 0.0;  ///< max |B(k) - B(k-1)| over patches and bands: the paper's T (§3.3.4)
-  double change_power = 0.0;             ///< sum of area |B(k) - B(k-1)|
-  double received_power = 0.0;           ///< sum of area * irradiance
-  double link_error_power = 0.0;         ///< sum of the links' estimated errors
-  double link_doubt_power = 0.0;         ///< what of that is doubt about visibility
-  std::uint64_t patches = 0, links = 0;  ///< that there are after the gather
+  double change_power = 0.0;                  ///< sum of area |B(k) - B(k-1)|
+  double received_power = 0.0;                ///< sum of area * irradiance
+  double link_error_power = 0.0;              ///< sum of the links' estimated errors
+  double visibility_uncertainty_power = 0.0;  ///< what of that is doubt about visibility
+  std::uint64_t patches = 0, links = 0;       ///< that there are after the gather
   std::uint64_t steals = 0, steal_requests = 0;
   WorkCount work;
   // Per band:
@@ -30,9 +30,9 @@ struct IterationFigures {
   /// Sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on a black
   /// back or on a front in the dark.
   Spectrum escaping_power;
-  Spectrum beamed_power;    ///< power that came straight from point lights
-  Spectrum doubtful_power;  ///< what a mend of 1 would add
-  ResidualSums residual;    ///< empty or zero where nothing was sampled
+  Spectrum direct_power;          ///< power that came straight from point lights
+  Spectrum uncertain_power;       ///< what a mend of 1 would add
+  ErrorSampleSums error_samples;  ///< empty or zero where nothing was sampled
 };
 
 /// How the parts of a figure become that of the whole.
@@ -60,7 +60,8 @@ void for_each_figure(Visit visit) {
   visit(
       FigureName{"link_error_power"}, [](auto& f) -> auto& { return f.link_error_power; });
   visit(
-      FigureName{"link_doubt_power"}, [](auto& f) -> auto& { return f.link_doubt_power; });
+      FigureName{"visibility_uncertainty_power"},
+      [](auto& f) -> auto& { return f.visibility_uncertainty_power; });
   visit(
       FigureName{"patches", Fold::sum, last}, [](auto& f) -> auto& { return f.patches; });
   visit(
@@ -96,17 +97,18 @@ void for_each_figure(Visit visit) {
   visit(
       FigureName{"escaping_power"}, [](auto& f) -> auto& { return f.escaping_power; });
   visit(
-      FigureName{"beamed_power"}, [](auto& f) -> auto& { return f.beamed_power; });
+      FigureName{"direct_power"}, [](auto& f) -> auto& { return f.direct_power; });
   visit(
-      FigureName{"doubtful_power"}, [](auto& f) -> auto& { return f.doubtful_power; });
+      FigureName{"uncertain_power"}, [](auto& f) -> auto& { return f.uncertain_power; });
   visit(
-      FigureName{"residual_light"}, [](auto& f) -> auto& { return f.residual.light; });
+      FigureName{"error_samples_light"}, [](auto& f) -> auto& { return f.error_samples.light; });
   visit(
-      FigureName{"residual_surplus"}, [](auto& f) -> auto& { return f.residual.surplus; });
+      FigureName{"error_samples_surplus"},
+      [](auto& f) -> auto& { return f.error_samples.surplus; });
   visit(
-      FigureName{"residual_off"}, [](auto& f) -> auto& { return f.residual.off; });
+      FigureName{"error_samples_off"}, [](auto& f) -> auto& { return f.error_samples.off; });
   visit(
-      FigureName{"residual_noise"}, [](auto& f) -> auto& { return f.residual.noise; });
+      FigureName{"error_samples_noise"}, [](auto& f) -> auto& { return f.error_samples.noise; });
 }
 
 /// What access() of for_each_figure() refers to is a Spectrum, not one number.

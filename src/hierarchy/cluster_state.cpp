@@ -95,9 +95,9 @@ class ClusterStateCodec {
     w.put_all(f.radiosity_);
     w.put_all(f.irradiance_);
     w.put_all(f.deviation_);
-    w.put_all(f.exposure_);
-    w.put(f.exposed_to_);
-    w.put_all(f.sealed_);
+    w.put_all(f.enclosed_share_);
+    w.put(f.lit_when_measured_);
+    w.put_all(f.unreachable_);
   }
 
   static void read_patches(PatchForest& f, ByteReader& r) {
@@ -111,12 +111,12 @@ class ClusterStateCodec {
     f.radiosity_ = r.get_all<double>();
     f.irradiance_ = r.get_all<double>();
     f.deviation_ = r.get_all<double>();
-    f.exposure_ = r.get_all<float>();
-    f.exposed_to_ = r.get<std::uint32_t>();
-    f.sealed_ = r.get_all<std::uint8_t>();
+    f.enclosed_share_ = r.get_all<float>();
+    f.lit_when_measured_ = r.get<std::uint32_t>();
+    f.unreachable_ = r.get_all<std::uint8_t>();
     if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
         f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
-        f.exposure_.size() != f.nodes_.size() || f.sealed_.size() != f.frames_.size()) {
+        f.enclosed_share_.size() != f.nodes_.size() || f.unreachable_.size() != f.frames_.size()) {
       throw RunError("a cluster's record holds light for another number of patches");
     }
     f.pull_groups();
@@ -179,7 +179,7 @@ class ClusterStateCodec {
     f.radiosity_.shrink_to_fit();
     f.irradiance_.shrink_to_fit();
     f.deviation_.shrink_to_fit();
-    f.exposure_.shrink_to_fit();
+    f.enclosed_share_.shrink_to_fit();
     for (PatchNode& n : f.nodes_) n.shape.vertices.shrink_to_fit();
   }
   static void shrink(LinkSet& l) {
@@ -202,13 +202,13 @@ class ClusterStateCodec {
 };
 
 ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis basis,
-                           std::size_t zones)
+                           std::size_t aggregates)
     : id_(cluster.id),
       cell_(cluster.cell),
       bands_(scene.bands),
       basis_(basis),
       patches_(cluster, frames_of(cluster, scene), scene.bands, static_cast<int>(basis)),
-      zones_(patches_, zones),
+      aggregates_(patches_, aggregates),
       links_(link_stride(basis)) {
   shrink();
 }
@@ -221,7 +221,7 @@ ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const 
   cell_ = g.get<CellId>();
   basis_ = g.get<Basis>();
   patches_ = ClusterStateCodec::read_geometry(g);
-  zones_ = CoarseZones::read(g);
+  aggregates_ = Aggregates::read(g);
   g.expect_end();
   bands_ = patches_.bands();
   ByteReader p(patches, what);
@@ -250,12 +250,14 @@ ClusterState ClusterState::shooter() const {
   copy.iteration_ = iteration_;
   copy.basis_ = basis_;
   copy.patches_ = patches_;
-  copy.zones_ = zones_;
+  copy.aggregates_ = aggregates_;
   copy.links_ = LinkSet(links_.stride());
   return copy;
 }
 
-void ClusterState::correct(std::span<const double> changes) { zones_.add_share(patches_, changes); }
+void ClusterState::correct(std::span<const double> changes) {
+  aggregates_.add_share(patches_, changes);
+}
 
 std::vector<std::byte> ClusterState::bytes_of(Section section) const {
   ByteWriter w(ClusterStateCodec::written_bytes(*this, section));
@@ -265,7 +267,7 @@ std::vector<std::byte> ClusterState::bytes_of(Section section) const {
       w.put(cell_);
       w.put(basis_);
       ClusterStateCodec::write_geometry(patches_, w);
-      zones_.write(w);
+      aggregates_.write(w);
       break;
     case Section::patches:
       w.put(iteration_);
@@ -280,7 +282,7 @@ std::vector<std::byte> ClusterState::bytes_of(Section section) const {
 
 std::size_t ClusterState::memory_bytes() const {
   return sizeof(*this) + ClusterStateCodec::bytes(patches_) + ClusterStateCodec::bytes(links_) +
-         zones_.memory_bytes();
+         aggregates_.memory_bytes();
 }
 
 }  // namespace enfilade

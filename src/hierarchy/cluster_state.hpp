@@ -9,7 +9,7 @@
 
 #include "base/ids.hpp"
 #include "clusters/cluster.hpp"
-#include "hierarchy/coarse_zones.hpp"
+#include "hierarchy/aggregates.hpp"
 #include "hierarchy/link.hpp"
 #include "hierarchy/patch.hpp"
 #include "scene/scene.hpp"
@@ -25,8 +25,8 @@ enum class Section : std::uint8_t { geometry = 0, patches = 1, links = 2 };
 class ClusterState {
  public:
   /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet. The coarse system
-  /// has at most `zones` unknowns for it.
-  ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t zones = 1);
+  /// has at most `aggregates` unknowns for it.
+  ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t aggregates = 1);
   /// From the sections of its file; `links` may be empty for a cluster that only shoots.
   /// Throws RunError where the bytes are not such sections.
   ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
@@ -36,7 +36,7 @@ class ClusterState {
   ClusterState shooter() const;
   /// Gives back the memory that growing vectors have asked for in advance.
   void shrink();
-  /// Applies a coarse correction: the relative change of its light, [zone * bands + band].
+  /// Applies a coarse correction: the relative change of its light, [aggregate * bands + band].
   void correct(std::span<const double> changes);
   /// The iteration that it was last gathered for in; 0 = never.
   int iteration() const { return iteration_; }
@@ -52,7 +52,7 @@ class ClusterState {
   Basis basis() const { return basis_; }
   const PatchForest& patches() const { return patches_; }
   PatchForest& patches() { return patches_; }
-  const CoarseZones& zones() const { return zones_; }
+  const Aggregates& aggregates() const { return aggregates_; }
   const LinkSet& links() const { return links_; }
   LinkSet& links() { return links_; }
 
@@ -65,7 +65,7 @@ class ClusterState {
   int iteration_ = 0;
   Basis basis_ = Basis::linear;
   PatchForest patches_;
-  CoarseZones zones_;
+  Aggregates aggregates_;
   LinkSet links_;
 };
 

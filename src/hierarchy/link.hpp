@@ -21,8 +21,10 @@ struct Link {
   float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around it
   bool evaluated = false;  ///< false: its shooter had no light yet, transport is not known
   bool finest = false;     ///< neither side can be split further
-  std::uint8_t doubt = 0;  ///< 255ths of `error` that are doubt about visibility
-  float visibility_error() const { return error * static_cast<float>(doubt) / 255.0f; }
+  std::uint8_t visibility_uncertainty = 0;  ///< 255ths of `error` that are doubt about visibility
+  float visibility_error() const {
+    return error * static_cast<float>(visibility_uncertainty) / 255.0f;
+  }
   bool is_light() const { return !shooter_cluster.valid(); }
 };
 
@@ -62,7 +64,7 @@ void for_each_facing(const PatchForest& receiver, const Link& link,
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
     const std::uint32_t k = receiver.order()[i];
     const double cosine = glm::dot(receiver.frames()[k].n, toward);
-    if (cosine > 0.0 && !receiver.sealed(k)) take(k, cosine);
+    if (cosine > 0.0 && !receiver.unreachable(k)) take(k, cosine);
   }
 }
 

@@ -134,19 +134,19 @@ class PatchForest {
   std::span<const double> irradiance(std::size_t node) const { return row(irradiance_, node); }
   /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays;
   /// negative = not looked at yet.
-  float exposure(std::size_t node) const { return exposure_[node]; }
-  void set_exposure(std::size_t node, float share) { exposure_[node] = share; }
+  float enclosed_share(std::size_t node) const { return enclosed_share_[node]; }
+  void set_enclosed_share(std::size_t node, float share) { enclosed_share_[node] = share; }
   /// Forgets the exposures where they were measured with fewer lit polygons in view, give or take
   /// one in 256. Fewer lit polygons leave them as they are, else light that flickers about zero
   /// would have them measured again for ever.
-  void expose_to(std::uint32_t lit_polygons);
+  void forget_enclosed_shares_below(std::uint32_t lit_polygons);
   /// Per polygon: it gives light. And how many of them do.
   std::span<const char> lit() const { return lit_; }
   std::uint32_t lit_polygons() const { return lit_polygons_; }
-  /// No light to speak of can reach the polygon (dark_polygons.hpp), as inside a wall: it takes
-  /// none.
-  bool sealed(std::size_t polygon) const { return sealed_[polygon] != 0; }
-  void seal(std::size_t polygon) { sealed_[polygon] = 1; }
+  /// No light to speak of can reach the polygon (unreachable_polygons.hpp), as inside a wall: it
+  /// takes none.
+  bool unreachable(std::size_t polygon) const { return unreachable_[polygon] != 0; }
+  void mark_unreachable(std::size_t polygon) { unreachable_[polygon] = 1; }
 
   /// Mean radiosity per band of a group's polygons, by area, and its RMS spread among them (worst
   /// band).
@@ -154,7 +154,7 @@ class PatchForest {
     return {group_radiosity_.data() + group * static_cast<std::size_t>(bands_),
             static_cast<std::size_t>(bands_)};
   }
-  double group_spread(std::size_t group) const { return group_spread_[group]; }
+  double group_deviation(std::size_t group) const { return group_deviation_[group]; }
   /// Mean exitance of a node: what it gives of its own, not by reflection.
   double exitance(PatchId node, std::size_t band) const {
     return node.is_group() ? group_exitance_[node.group() * static_cast<std::size_t>(bands_) + band]
@@ -209,12 +209,12 @@ class PatchForest {
   std::int32_t build_group(std::uint32_t begin, std::uint32_t end);
 
   std::vector<double> radiosity_, irradiance_, deviation_;
-  std::vector<double> group_radiosity_, group_spread_, group_exitance_;
-  std::vector<float> exposure_;
-  std::uint32_t exposed_to_ = 0;  ///< lit polygons in view when the exposures were measured
+  std::vector<double> group_radiosity_, group_deviation_, group_exitance_;
+  std::vector<float> enclosed_share_;
+  std::uint32_t lit_when_measured_ = 0;  ///< lit polygons in view when the exposures were measured
   std::vector<char> lit_;
   std::uint32_t lit_polygons_ = 0;
-  std::vector<std::uint8_t> sealed_;
+  std::vector<std::uint8_t> unreachable_;
 };
 
 }  // namespace enfilade

@@ -21,8 +21,8 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   radiosity_.assign(nodes_.size() * stride(), 0.0);
   irradiance_.assign(nodes_.size() * stride(), 0.0);
   deviation_.assign(nodes_.size(), 0.0);
-  exposure_.assign(nodes_.size(), -1.0f);
-  sealed_.assign(nodes_.size(), 0);
+  enclosed_share_.assign(nodes_.size(), -1.0f);
+  unreachable_.assign(nodes_.size(), 0);
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     for (int band = 0; band < bands_; ++band) {
       radiosity(k)[static_cast<std::size_t>(band * terms_)] =
@@ -119,7 +119,7 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
       }
     }
     deviation_.push_back(0.0);
-    exposure_.push_back(-1.0f);
+    enclosed_share_.push_back(-1.0f);
   }
   return first;
 }
@@ -240,7 +240,7 @@ void PatchForest::pull_groups() {
   find_lit();
   const auto bands = static_cast<std::size_t>(bands_);
   group_radiosity_.assign(groups_.size() * bands, 0.0);
-  group_spread_.assign(groups_.size(), 0.0);
+  group_deviation_.assign(groups_.size(), 0.0);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const GroupNode& group = groups_[g];
     for (std::size_t band = 0; band < bands; ++band) {
@@ -253,8 +253,8 @@ void PatchForest::pull_groups() {
       }
       const double mean = group.area_m2 > 0.0 ? sum / group.area_m2 : 0.0;
       group_radiosity_[g * bands + band] = mean;
-      group_spread_[g] = std::max(
-          group_spread_[g],
+      group_deviation_[g] = std::max(
+          group_deviation_[g],
           std::sqrt(group.area_m2 > 0.0 ? std::max(0.0, square / group.area_m2 - mean * mean)
                                         : 0.0));
     }
@@ -275,10 +275,10 @@ void PatchForest::sum_exitances() {
   }
 }
 
-void PatchForest::expose_to(std::uint32_t lit_polygons) {
-  if (lit_polygons <= exposed_to_ + exposed_to_ / 256) return;
-  exposed_to_ = lit_polygons;
-  std::fill(exposure_.begin(), exposure_.end(), -1.0f);
+void PatchForest::forget_enclosed_shares_below(std::uint32_t lit_polygons) {
+  if (lit_polygons <= lit_when_measured_ + lit_when_measured_ / 256) return;
+  lit_when_measured_ = lit_polygons;
+  std::fill(enclosed_share_.begin(), enclosed_share_.end(), -1.0f);
 }
 
 std::size_t PatchForest::leaf_at(std::size_t polygon, const Vec3& p) const {

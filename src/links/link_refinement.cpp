@@ -31,7 +31,8 @@ bool LinkRefinement::fine_as_it_is(const Link& link, std::span<const float> tran
   const NodeLight sent = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
                                             : NodeLight::of(*shooter, link.shooter);
   if (!link.evaluated) return sent.light <= 0.0 && sent.variation <= 0.0;
-  return oracle_->doubt(link, transport, receiver_.patches(), sent) <= config_.link_tolerance;
+  return oracle_->estimated_error(link, transport, receiver_.patches(), sent) <=
+         config_.link_tolerance;
 }
 
 void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSet& kept) {
@@ -55,7 +56,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   }
   if (!receiver.is_group() && receiver.same_node(shooter)) return;  // a plane does not see itself
   if (LinkEstimator::faces_away(receiver, shooter)) return;
-  if (receiver.is_patch() && receiver_.patches().sealed(receiver.id.root)) return;
+  if (receiver.is_patch() && receiver_.patches().unreachable(receiver.id.root)) return;
   const double bound = LinkEstimator::power_bound(receiver, shooter);
   const bool shooter_is_larger = shooter.radius > receiver.radius;
 
@@ -78,7 +79,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   if (estimate.invisible) return;
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
-  if (oracle_->doubt(link, transport, receiver_.patches(), shooter) <= tolerance) {
+  if (oracle_->estimated_error(link, transport, receiver_.patches(), shooter) <= tolerance) {
     kept.add(link, transport);
     return;
   }
@@ -132,10 +133,11 @@ void LinkRefinement::describe(Link& link, const LinkSide& shooter, const LinkEst
   link.finest = false;
   link.error = static_cast<float>(estimate.receiver_error + estimate.shooter_error);
   link.variation = static_cast<float>(estimate.variation);
-  link.doubt = estimate.shooter_error > 0.0
-                   ? static_cast<std::uint8_t>(255.0 * estimate.shooter_error /
-                                               (estimate.receiver_error + estimate.shooter_error))
-                   : std::uint8_t{0};
+  link.visibility_uncertainty =
+      estimate.shooter_error > 0.0
+          ? static_cast<std::uint8_t>(255.0 * estimate.shooter_error /
+                                      (estimate.receiver_error + estimate.shooter_error))
+          : std::uint8_t{0};
   if (!shooter.is_patch()) return;
   link.shooter_x = static_cast<float>(shooter.shape.centroid.x);
   link.shooter_y = static_cast<float>(shooter.shape.centroid.y);

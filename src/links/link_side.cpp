@@ -42,7 +42,7 @@ NodeLight light_within(const PatchForest& forest, std::size_t node, const PatchS
 NodeLight light_of_group(const PatchForest& forest, std::size_t group) {
   NodeLight sent;
   for (const double b : forest.group_radiosity(group)) sent.light = std::max(sent.light, b);
-  sent.variation = forest.group_spread(group);
+  sent.variation = forest.group_deviation(group);
   return sent;
 }
 

@@ -8,12 +8,12 @@ namespace {
 /// What the kernel, visibility and the shooter's light may vary by over the link.
 class ErrorOracle final : public RefinementOracle {
  public:
-  double doubt(const Link& link, std::span<const float> /*transport*/,
-               const PatchForest& /*receiver*/, const NodeLight& shooter) const override {
+  double estimated_error(const Link& link, std::span<const float> /*transport*/,
+                         const PatchForest& /*receiver*/, const NodeLight& shooter) const override {
     return link.error * shooter.light + link.variation * shooter.variation;
   }
 
-  /// The side that dominates; where visibility alone is in doubt, the larger one.
+  /// The side that dominates; where visibility alone is in uncertainty, the larger one.
   bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                        const LinkEstimate& estimate) const override {
     const bool shooter_is_larger = shooter.radius > receiver.radius;
@@ -32,8 +32,8 @@ class ErrorOracle final : public RefinementOracle {
 /// not.
 class BrightnessOracle final : public RefinementOracle {
  public:
-  double doubt(const Link& link, std::span<const float> transport, const PatchForest& receiver,
-               const NodeLight& shooter) const override {
+  double estimated_error(const Link& link, std::span<const float> transport,
+                         const PatchForest& receiver, const NodeLight& shooter) const override {
     return area_factor(receiver, link, transport) * shooter.light;
   }
 

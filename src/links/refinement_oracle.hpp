@@ -19,8 +19,8 @@ class RefinementOracle {
   virtual ~RefinementOracle() = default;
   /// In received power (m2 times irradiance, worst band) at today's light of the shooter; a link is
   /// refined where it is above the tolerance.
-  virtual double doubt(const Link& link, std::span<const float> transport,
-                       const PatchForest& receiver, const NodeLight& shooter) const = 0;
+  virtual double estimated_error(const Link& link, std::span<const float> transport,
+                                 const PatchForest& receiver, const NodeLight& shooter) const = 0;
   virtual bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                                const LinkEstimate& estimate) const = 0;
 };

@@ -50,7 +50,7 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.history = json.at("history").get<std::vector<std::vector<double>>>();
     m.correction = json.at("correction").get<std::vector<double>>();
     m.unknowns.first = json.at("first_unknown").get<std::vector<std::uint32_t>>();
-    m.unknowns.zones = json.at("zones").get<std::vector<std::uint32_t>>();
+    m.unknowns.aggregates = json.at("aggregates").get<std::vector<std::uint32_t>>();
     if (!m.correction.empty() && !m.unknowns.complete(m.clusters, m.correction.size())) {
       throw RunError(path + ": damaged; solve again without --resume");
     }
@@ -75,7 +75,7 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
                                        {"history", history},
                                        {"correction", finite(m.correction)},
                                        {"first_unknown", m.unknowns.first},
-                                       {"zones", m.unknowns.zones}};
+                                       {"aggregates", m.unknowns.aggregates}};
   // An iteration under way must outlive the death of its processes, which the page cache does; a
   // finished run must outlive the machine's as well.
   if (m.finished) flush_to_disk(layout.common());

@@ -44,11 +44,11 @@ std::string options_of(const PrepareConfig& config) {
                                        {"min_border_share", min_border_share},
                                        {"tolerance_relative", tolerance_relative},
                                        {"max_leaves", max_leaves},
-                                       {"sealed_walks", walks},
-                                       {"sealed_max_bounces", max_bounces},
-                                       {"sealed_max_parts", max_parts},
-                                       {"sealed_min_length_relative", min_length_relative},
-                                       {"sealed_seed", seed},
+                                       {"unreachable_walks", walks},
+                                       {"unreachable_max_bounces", max_bounces},
+                                       {"unreachable_max_parts", max_parts},
+                                       {"unreachable_min_length_relative", min_length_relative},
+                                       {"unreachable_seed", seed},
                                        {"cluster_max_polygons", max_polygons},
                                        {"cluster_max_extent_share", max_extent_share},
                                        {"cluster_large_share", large_share},
@@ -157,7 +157,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   }
   stopwatch.end_of("cells");
   report_progress(progress, "clusters", 0.4);
-  cell_pieces = cut_sealed_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
+  cell_pieces = cut_unreachable_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
   report_progress(progress, "clusters", 0.5);
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
   find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);

@@ -10,7 +10,7 @@
 #include "base/warnings.hpp"
 #include "cells/partition/cell_complex.hpp"
 #include "clusters/cluster.hpp"
-#include "clusters/sealed_parts.hpp"
+#include "clusters/unreachable_parts.hpp"
 #include "run/run_mark.hpp"
 #include "scene/scene.hpp"
 #include "visibility/cluster_graph.hpp"
@@ -19,7 +19,7 @@ namespace enfilade {
 
 struct PrepareConfig {
   CellComplex::Config cells;
-  SealedConfig sealed;
+  UnreachableConfig sealed;
   ClusterConfig clusters;
   ContactConfig contacts;
   VisibilityConfig visibility;

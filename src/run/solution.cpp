@@ -30,7 +30,7 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
     const auto bands = static_cast<std::size_t>(state.bands());
     if (!manifest->correction.empty()) {
       if (manifest->correction.size() != manifest->unknowns.count * bands ||
-          state.zones().size() > manifest->unknowns.zones[i]) {
+          state.aggregates().size() > manifest->unknowns.aggregates[i]) {
         throw RunError(run_directory +
                        ": the correction there is of other clusters; solve again without --resume");
       }

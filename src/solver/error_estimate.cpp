@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "final_gather/point_gather.hpp"
-#include "solver/light_balance.hpp"
+#include "solver/energy_conservation.hpp"
 
 namespace enfilade {
 namespace {
@@ -44,7 +44,7 @@ const IterationSummary* last_sampled(std::span<const IterationSummary> history) 
 }
 
 /// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
-double residual(const ResidualSums& sums, std::size_t b) {
+double residual(const ErrorSampleSums& sums, std::size_t b) {
   if (b >= sums.light.size() || sums.light[b] <= 0.0) return 0.0;
   const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
   const double seen = std::sqrt(std::max(0.0, square));
@@ -52,7 +52,7 @@ double residual(const ResidualSums& sums, std::size_t b) {
 }
 
 /// Relative noise of one sampled point in band b, mean over the points.
-double sample_noise(const ResidualSums& sums, std::size_t b) {
+double sample_noise(const ErrorSampleSums& sums, std::size_t b) {
   return b < sums.light.size() && sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
 }
 
@@ -64,7 +64,7 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
   PointGatherConfig config;
   config.patch_error = patch_error;
   const double fewer = sampled->plan.sample_rays / static_cast<double>(config.rays);
-  const double noise = sample_noise(sampled->sums.residual, b) * std::pow(fewer, 0.6);
+  const double noise = sample_noise(sampled->sums.error_samples, b) * std::pow(fewer, 0.6);
   return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
 }
 
@@ -75,7 +75,7 @@ double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationSummary* sampled = last_sampled(history);
   if (sampled == nullptr) return share_before_sampling * now;
   const double then = relative(sampled->sums.link_error_power, sampled->sums.received_power);
-  return residual(sampled->sums.residual, b) * (then > 0.0 ? now / then : 1.0);
+  return residual(sampled->sums.error_samples, b) * (then > 0.0 ? now / then : 1.0);
 }
 
 double most_reflected(const IterationFigures& sums) {
@@ -84,7 +84,8 @@ double most_reflected(const IterationFigures& sums) {
 
 /// The same links, closed and mended alike: only then does one change tell of the one before.
 bool comparable(const IterationSummary& last, const IterationSummary& before) {
-  return last.plan.close_rows == before.plan.close_rows && last.plan.mend == before.plan.mend;
+  return last.plan.close_rows == before.plan.close_rows &&
+         last.plan.flux_correction == before.plan.flux_correction;
 }
 
 double ratio(const IterationSummary& last, const IterationSummary& before) {
@@ -143,7 +144,7 @@ double contraction(std::span<const IterationSummary> history) {
   return std::min(std::max(most_reflected(history.back().sums), change_ratio(history)), 0.9999);
 }
 
-double sample_noise(const ResidualSums& sums) {
+double sample_noise(const ErrorSampleSums& sums) {
   return worst(sums.light.size(), [&](std::size_t b) { return sample_noise(sums, b); });
 }
 
@@ -173,9 +174,9 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   const double links = worst(bands, [&](std::size_t b) {
     return std::hypot(seen_by_points(b), gather_noise(last_sampled(history), estimate.patches, b));
   });
-  const double doubt =
-      sums.link_error_power > 0.0 ? sums.link_doubt_power / sums.link_error_power : 0.0;
-  estimate.visibility = doubt * links;
+  const double uncertainty =
+      sums.link_error_power > 0.0 ? sums.visibility_uncertainty_power / sums.link_error_power : 0.0;
+  estimate.visibility = uncertainty * links;
   estimate.discretisation = links - estimate.visibility;
   return estimate;
 }

@@ -22,10 +22,10 @@ double contraction(std::span<const IterationSummary> history);
 /// errors cancel there; a patch sees that too, beside what is wrong with its own light.
 /// Iterations: the series of the changes to come (§8), and its bound by the contraction above. The
 /// last change alone, the paper's T, understates it by up to 1 / (1 - contraction).
-/// `surfaces`: surfaces_power() of light_balance.hpp.
+/// `surfaces`: surfaces_power() of energy_conservation.hpp.
 ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces);
 
 /// Relative noise of one sampled point, mean over the points, worst band; 0 where none was sampled.
-double sample_noise(const ResidualSums& sums);
+double sample_noise(const ErrorSampleSums& sums);
 
 }  // namespace enfilade

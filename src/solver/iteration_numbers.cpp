@@ -16,8 +16,8 @@ std::vector<double> to_numbers(const IterationPlan& plan) {
                                  plan.received_power,
                                  plan.finished ? 1.0 : 0.0,
                                  plan.converged ? 1.0 : 0.0,
-                                 static_cast<double>(plan.mend.size())};
-  numbers.insert(numbers.end(), plan.mend.begin(), plan.mend.end());
+                                 static_cast<double>(plan.flux_correction.size())};
+  numbers.insert(numbers.end(), plan.flux_correction.begin(), plan.flux_correction.end());
   return numbers;
 }
 
@@ -34,7 +34,8 @@ IterationPlan next_plan_of(NumberReader& n) {
   plan.received_power = n.next();
   plan.finished = n.next() != 0.0;
   plan.converged = n.next() != 0.0;
-  for (std::uint64_t bands = n.next_count(); bands > 0; --bands) plan.mend.push_back(n.next());
+  for (std::uint64_t bands = n.next_count(); bands > 0; --bands)
+    plan.flux_correction.push_back(n.next());
   return plan;
 }
 

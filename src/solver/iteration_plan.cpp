@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/light_balance.hpp"
+#include "solver/energy_conservation.hpp"
 
 namespace enfilade {
 namespace {
@@ -108,8 +108,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const bool few_refined = last.sums.work.links_refined * 1000 <= last.sums.links;
   const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
-  plan.mend = mended(last, config.surfaces_power, 0.02 * config.target_error);
-  const bool all_done = links_done && plan.mend == last.plan.mend;
+  plan.flux_correction = flux_correction(last, config.surfaces_power, 0.02 * config.target_error);
+  const bool all_done = links_done && plan.flux_correction == last.plan.flux_correction;
   const bool quiet = all_done && last.error.iteration_bound <= tolerance_of(config);
   // What the links are wrong by shows before the light has come to rest.
   const bool calm = all_done && last.error.iteration_bound <=

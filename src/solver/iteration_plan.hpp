@@ -16,10 +16,10 @@ struct IterationPlan {
   double link_tolerance = 0.0;  ///< GatherConfig::link_tolerance
   bool refine = true;
   bool close_rows = false;      ///< GatherConfig::close_rows
-  bool sample = false;          ///< gather anew at sampled points: ResidualSamples
+  bool sample = false;          ///< gather anew at sampled points: ErrorSamples
   int sample_rays = 0;          ///< a point
   double received_power = 0.0;  ///< of the iteration before
-  Spectrum mend;                ///< GatherConfig::mend
+  Spectrum flux_correction;     ///< GatherConfig::flux_correction
   bool finished = false;        ///< there is no such iteration: the run ends
   bool converged = false;       ///< it ends because it is good enough, not because it gave up
 };
@@ -44,7 +44,7 @@ struct IterationSummary {
 
 struct PlanConfig {
   Spectrum emitted_power;
-  Spectrum surfaces_power;  ///< what of that surfaces send out (light_balance.hpp)
+  Spectrum surfaces_power;  ///< what of that surfaces send out (energy_conservation.hpp)
   double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
   double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;

@@ -156,8 +156,8 @@ void BasicResidentClusters<State>::load_links(ClusterId id, Entry& entry) {
 }
 
 template <class State>
-void BasicResidentClusters<State>::set_committed_only(bool committed_only) {
-  committed_only_ = committed_only;
+void BasicResidentClusters<State>::set_jacobi(bool jacobi) {
+  jacobi_ = jacobi;
   entries_.for_each([this](ClusterId id, Entry& entry) {
     if (!entry.previous) return;
     entry.previous.reset();
@@ -195,7 +195,7 @@ State& BasicResidentClusters<State>::pin_receiver(ClusterId id,
   visible_ = visible;
   Entry& entry = newest(id);
   if (!entry.has_links) load_links(id, entry);
-  if (committed_only_ && !files_.written(id)) {
+  if (jacobi_ && !files_.written(id)) {
     entry.previous = std::make_unique<State>(entry.state->shooter());
     measure(entry);
   }

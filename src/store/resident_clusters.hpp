@@ -12,8 +12,8 @@
 #include "machine/machine.hpp"
 #include "store/cluster_files.hpp"
 #include "store/cluster_table.hpp"
-#include "store/placement.hpp"
 #include "store/recorded_cluster.hpp"
+#include "store/simulated_placement.hpp"
 
 namespace enfilade {
 
@@ -24,7 +24,7 @@ struct ResidencyCount {
   /// or by a gather whose receiver and one shooter are more than there is.
   std::uint64_t over_budget_bytes = 0;
   /// Where there is a budget: what the memory manager made of it.
-  PlacementCount placement;
+  SimulatedPlacementCount placement;
 };
 
 /// What write_receiver() wrote, and what the cluster takes in memory then.
@@ -59,7 +59,7 @@ class BasicResidentClusters {
 
   /// While `committed_only`, shooters are as the last iteration committed them, this rank's own
   /// included: what is gathered then does not depend on who gathers it, or when.
-  void set_committed_only(bool committed_only);
+  void set_jacobi(bool jacobi);
 
   /// Keeps the receiver of a gather in memory until unpin(). `visible` (ascending, valid until
   /// then): the shooters that will be asked for, in this order; those still to come stay longest.
@@ -85,7 +85,7 @@ class BasicResidentClusters {
     int iteration = 0;                 ///< that these patches are of
     std::uint64_t links_checksum = 0;  ///< of the links in the file
     std::uint64_t shooter_bytes = 0, links_bytes = 0;
-    Placement::Block shooter_block = 0, links_block = 0;
+    SimulatedPlacement::Block shooter_block = 0, links_block = 0;
   };
   Entry& newest(ClusterId id);
   void load(ClusterId id, Entry& entry);
@@ -99,7 +99,7 @@ class BasicResidentClusters {
   std::uint64_t turns_until(ClusterId id, bool links) const;
   bool pinned(ClusterId id) const;
   /// Is what pin_shooter() gives of it the light before this iteration?
-  bool shoots_as_committed(ClusterId id) const { return committed_only_ && files_.written(id); }
+  bool shoots_as_committed(ClusterId id) const { return jacobi_ && files_.written(id); }
   /// What has to be read for it to shoot.
   void list_missing(ClusterId id, std::vector<SectionName>& missing) const;
   void evict();
@@ -113,9 +113,9 @@ class BasicResidentClusters {
   Machine& machine_;
   std::uint64_t budget_bytes_;
   MemoryManager manager_;
-  Placement placement_;
+  SimulatedPlacement placement_;
   NextUse next_use_;
-  bool committed_only_ = false;
+  bool jacobi_ = false;
   std::function<void(State&)> correction_;
   ClusterTable<Entry> entries_;
   ClusterId receiver_, shooter_;  ///< of the gather at hand; none = not valid

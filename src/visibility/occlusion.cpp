@@ -17,12 +17,12 @@ std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
   return polygons;
 }
 
-using Halves = std::array<std::vector<BeamPart>, 2>;
+using Halves = std::array<std::vector<LineSpacePart>, 2>;
 
 /// What lies in front of the plane last. What lies in it is on the side that it looks to.
-Halves cut_along(const BeamSide& side, const Plane& plane, double flat_m) {
+Halves cut_along(const LineSpaceSide& side, const Plane& plane, double flat_m) {
   Halves halves;
-  for (const BeamPart& part : side.parts) {
+  for (const LineSpacePart& part : side.parts) {
     double low = 0.0, high = 0.0;
     for (const Vec3& p : part.polygon()) {
       low = std::min(low, plane.signed_distance(p));
@@ -43,7 +43,7 @@ Halves cut_along(const BeamSide& side, const Plane& plane, double flat_m) {
 }
 
 /// By position where there are several, else cut in the middle.
-Halves halves_of(const BeamSide& side) {
+Halves halves_of(const LineSpaceSide& side) {
   Plane plane;
   const Vec3 e = side.box.extent();
   const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
@@ -52,7 +52,7 @@ Halves halves_of(const BeamSide& side) {
   plane.d = side.box.center()[axis];
   if (side.parts.size() > 1) {
     Halves halves;
-    for (const BeamPart& part : side.parts) {
+    for (const LineSpacePart& part : side.parts) {
       halves[bounds(part.polygon()).center()[axis] > plane.d ? 1 : 0].push_back(part);
     }
     if (!halves[0].empty() && !halves[1].empty()) return halves;
@@ -79,12 +79,12 @@ Polygon grown(const Polygon& polygon, const Vec3& n, double margin_m) {
   return larger;
 }
 
-// Has the beam passed this plane before, with hardly less open then?
-bool is_known(const Beam& beam, const Plane& plane, const BeamCrossing& at, double open_m2,
-              double flat_m) {
+// Has the lines passed this plane before, with hardly less open then?
+bool is_known(const LineSpace& lines, const Plane& plane, const LineSpaceCrossing& at,
+              double open_m2, double flat_m) {
   constexpr double much = 0.9;
   for (std::size_t i = at.first; i < at.end; ++i) {
-    const Polygon& window = beam.windows[i].polygon;
+    const Polygon& window = lines.windows[i].polygon;
     const bool flat = std::all_of(window.begin(), window.end(), [&](const Vec3& p) {
       return std::abs(plane.signed_distance(p)) <= flat_m;
     });
@@ -105,7 +105,7 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
   std::uint32_t next = 0;
   Box box;
   for (const Cluster& cluster : clusters) {
-    std::vector<BeamPart>& parts = clusters_.emplace_back();
+    std::vector<LineSpacePart>& parts = clusters_.emplace_back();
     for (const ClusterPolygon& p : cluster.polygons) {
       parts.emplace_back(next, polygons_[next], plane_of(p.polygon));
       ++next;
@@ -117,14 +117,14 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
 
 Sight Occlusion::between(std::uint32_t a, std::uint32_t b, int max_parts) const {
   Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * a + b), max_parts, config_.max_planes};
-  Beam beam;
-  beam.a = side_of(clusters_[a]);
-  beam.b = side_of(clusters_[b]);
-  return settle(std::move(beam), proof, config_.first_rays);
+  LineSpace lines;
+  lines.a = side_of(clusters_[a]);
+  lines.b = side_of(clusters_[b]);
+  return settle(std::move(lines), proof, config_.first_rays);
 }
 
 bool Occlusion::is_hidden(const WindowView& view) const {
-  std::vector<BeamPart> parts;
+  std::vector<LineSpacePart> parts;
   std::uint64_t key = view.path.size();
   for (const SourcePolygon* s : view.source) {
     parts.emplace_back(s->number, s->polygon, s->plane);
@@ -132,24 +132,24 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   }
   const Polygon window = grown(view.window, view.plane.n, tolerance_m_);
   const Plane back{-view.plane.n, -view.plane.d};
-  Beam beam;
-  beam.a = side_of(std::move(parts));
-  beam.b = side_of({BeamPart(BeamPart::no_number, window, back)});
+  LineSpace lines;
+  lines.a = side_of(std::move(parts));
+  lines.b = side_of({LineSpacePart(LineSpacePart::no_number, window, back)});
   // To leave windows out only adds lines: a proof for all of those holds for fewer.
   for (const Window& w : view.path.last(std::min(config_.window_path, view.path.size()))) {
-    beam.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
+    lines.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }
   Proof proof{Random(config_.seed + 0x9E3779B97F4A7C15ull * key), config_.window_parts,
               config_.window_planes};
-  return settle(std::move(beam), proof, config_.window_rays) == Sight::hidden;
+  return settle(std::move(lines), proof, config_.window_rays) == Sight::hidden;
 }
 
-bool Occlusion::find_open_line(const Beam& beam, Proof& proof, int rays,
+bool Occlusion::find_open_line(const LineSpace& lines, Proof& proof, int rays,
                                std::vector<Suspect>& suspects) const {
   for (int k = 0; k < rays; ++k) {
-    std::optional<BeamLine> line = draw_line(beam, proof.random);
+    std::optional<SampledLine> line = draw_line(lines, proof.random);
     const bool within = line.has_value();
-    if (!within) line = draw_any_line(beam, proof.random);
+    if (!within) line = draw_any_line(lines, proof.random);
     if (!line) continue;
     const bool back = k % 2 != 0;
     const Vec3& start = back ? line->b : line->a;
@@ -175,20 +175,20 @@ bool Occlusion::find_open_line(const Beam& beam, Proof& proof, int rays,
   return false;
 }
 
-Occlusion::Barrier Occlusion::best_barrier(const Beam& beam,
+Occlusion::Barrier Occlusion::best_barrier(const LineSpace& lines,
                                            std::span<const Suspect> suspects) const {
   // A flat one hides nothing from itself: where it lies in the plane, it looks away from the rest.
   std::vector<std::uint32_t> ends;
-  for (const BeamSide* side : {&beam.a, &beam.b}) {
-    for (const BeamPart& part : side->parts) {
-      if (part.number() != BeamPart::no_number && !planes_.is_flat(part.number()))
+  for (const LineSpaceSide* side : {&lines.a, &lines.b}) {
+    for (const LineSpacePart& part : side->parts) {
+      if (part.number() != LineSpacePart::no_number && !planes_.is_flat(part.number()))
         ends.push_back(part.number());
     }
   }
   std::sort(ends.begin(), ends.end());
   Barrier best;
   for (const Suspect& suspect : suspects) {
-    const auto found = crossing(beam, planes_.plane(suspect.plane), tolerance_m_);
+    const auto found = crossing(lines, planes_.plane(suspect.plane), tolerance_m_);
     if (!found || found->region.size() < 3) continue;
     const double whole = area_m2(found->region);
     std::vector<Polygon> open =
@@ -196,7 +196,8 @@ Occlusion::Barrier Occlusion::best_barrier(const Beam& beam,
     if (open.size() > config_.max_pieces) continue;
     double share = 0.0;
     for (const Polygon& p : open) share += area_m2(p) / whole;
-    if (is_known(beam, planes_.plane(suspect.plane), *found, share * whole, tolerance_m_)) continue;
+    if (is_known(lines, planes_.plane(suspect.plane), *found, share * whole, tolerance_m_))
+      continue;
     if (share < best.open_share)
       best = {suspect.plane, found->first, found->end, share, std::move(open)};
     if (best.open_share < 1.0 && best.windows.empty()) break;
@@ -204,17 +205,18 @@ Occlusion::Barrier Occlusion::best_barrier(const Beam& beam,
   return best;
 }
 
-Beam Occlusion::through(const Beam& beam, const Barrier& barrier, const Polygon& window) const {
+LineSpace Occlusion::through(const LineSpace& lines, const Barrier& barrier,
+                             const Polygon& window) const {
   const Plane& plane = planes_.plane(barrier.plane);
-  // The stop before it tells from which side the beam comes.
+  // The stop before it tells from which side the lines comes.
   const std::vector<Vec3>& last =
-      barrier.first == 0 ? beam.a.points : beam.windows[barrier.first - 1].polygon;
+      barrier.first == 0 ? lines.a.points : lines.windows[barrier.first - 1].polygon;
   double farthest = 0.0;
   for (const Vec3& p : last) {
     const double d = plane.signed_distance(p);
     if (std::abs(d) > std::abs(farthest)) farthest = d;
   }
-  Beam narrow = beam;
+  LineSpace narrow = lines;
   const auto at = narrow.windows.begin();
   const auto next = narrow.windows.erase(at + static_cast<std::ptrdiff_t>(barrier.first),
                                          at + static_cast<std::ptrdiff_t>(barrier.end));
@@ -222,22 +224,22 @@ Beam Occlusion::through(const Beam& beam, const Barrier& barrier, const Polygon&
   return narrow;
 }
 
-Sight Occlusion::settle(Beam beam, Proof& proof, int rays) const {
+Sight Occlusion::settle(LineSpace lines, Proof& proof, int rays) const {
   const double flat_m = rounding_m(tolerance_m_);
-  if (!drop_averted(beam, flat_m) || !tighten(beam, flat_m)) return Sight::hidden;
+  if (!drop_averted(lines, flat_m) || !tighten(lines, flat_m)) return Sight::hidden;
   std::vector<Suspect> suspects;
-  if (find_open_line(beam, proof, rays, suspects)) return Sight::open;
+  if (find_open_line(lines, proof, rays, suspects)) return Sight::open;
   const std::size_t tried = std::min(suspects.size(), static_cast<std::size_t>(proof.max_planes));
-  const Barrier barrier = best_barrier(beam, std::span(suspects).first(tried));
+  const Barrier barrier = best_barrier(lines, std::span(suspects).first(tried));
   if (barrier.windows.empty() && barrier.open_share < 1.0) return Sight::hidden;
   if (--proof.parts_left <= 0 || proof.depth >= config_.max_depth) return Sight::unknown;
   ++proof.depth;
   Sight sight = Sight::hidden;
   if (barrier.open_share > config_.most_open) {
-    sight = take_apart(beam, suspects, proof);
+    sight = take_apart(lines, suspects, proof);
   } else {
     for (const Polygon& window : barrier.windows) {
-      sight = settle(through(beam, barrier, window), proof, config_.rays);
+      sight = settle(through(lines, barrier, window), proof, config_.rays);
       if (sight != Sight::hidden) break;
     }
   }
@@ -247,26 +249,26 @@ Sight Occlusion::settle(Beam beam, Proof& proof, int rays) const {
 
 // A side that lies on both sides of what stops most rays is cut there: beyond it, it may be hidden
 // at once. Else the longer side is cut in the middle.
-Sight Occlusion::take_apart(const Beam& beam, std::span<const Suspect> suspects,
+Sight Occlusion::take_apart(const LineSpace& lines, std::span<const Suspect> suspects,
                             Proof& proof) const {
   for (const Suspect& suspect : suspects) {
     for (const bool cut_a : {true, false}) {
       Halves halves =
-          cut_along(cut_a ? beam.a : beam.b, planes_.plane(suspect.plane), 2.0 * tolerance_m_);
-      if (!halves[0].empty() && !halves[1].empty()) return settle(beam, cut_a, halves, proof);
+          cut_along(cut_a ? lines.a : lines.b, planes_.plane(suspect.plane), 2.0 * tolerance_m_);
+      if (!halves[0].empty() && !halves[1].empty()) return settle(lines, cut_a, halves, proof);
     }
   }
-  const bool cut_a = beam.a.box.diagonal() >= beam.b.box.diagonal();
-  const BeamSide& side = cut_a ? beam.a : beam.b;
+  const bool cut_a = lines.a.box.diagonal() >= lines.b.box.diagonal();
+  const LineSpaceSide& side = cut_a ? lines.a : lines.b;
   if (side.box.diagonal() <= smallest_m_) return Sight::unknown;
   Halves halves = halves_of(side);
-  return settle(beam, cut_a, halves, proof);
+  return settle(lines, cut_a, halves, proof);
 }
 
-Sight Occlusion::settle(const Beam& beam, bool cut_a, Halves& halves, Proof& proof) const {
-  for (std::vector<BeamPart>& half : halves) {
+Sight Occlusion::settle(const LineSpace& lines, bool cut_a, Halves& halves, Proof& proof) const {
+  for (std::vector<LineSpacePart>& half : halves) {
     if (half.empty()) continue;
-    Beam part = beam;
+    LineSpace part = lines;
     (cut_a ? part.a : part.b) = side_of(std::move(half));
     const Sight sight = settle(std::move(part), proof, config_.rays);
     if (sight != Sight::hidden) return sight;  // one line more or less makes no difference

@@ -9,7 +9,7 @@
 
 #include "clusters/cluster.hpp"
 #include "raycast/ray_scene.hpp"
-#include "visibility/beam.hpp"
+#include "visibility/line_space.hpp"
 #include "visibility/occluder_planes.hpp"
 #include "visibility/portal_search.hpp"
 
@@ -25,7 +25,7 @@ struct OcclusionConfig {
   int window_rays = 4;              ///< as first_rays, for a cluster and a portal
   int window_parts = 4;             ///< as max_parts, for a cluster and a portal
   int window_planes = 2;            ///< as max_planes, for a cluster and a portal
-  std::size_t window_path = 4;      ///< as many windows on the way, the last ones, narrow the beam
+  std::size_t window_path = 4;      ///< as many windows on the way, the last ones, narrow the lines
   int max_planes = 5;               ///< tried for each part, those that stop most rays first
   double most_open = 0.8;           ///< of a plane; where more is open, a side is taken apart
   std::size_t max_pieces = 8;       ///< more openings in a plane are not followed one by one
@@ -36,7 +36,7 @@ enum class Sight { open, hidden, unknown };
 
 /// Proves that no line joins two clusters. Rays say which planes stand between; all lines cross
 /// such a plane within the hull of the corner-to-corner crossings, and where polygons cover it, the
-/// pair is hidden. What is left open there is a window; the lines through it are a narrower beam,
+/// pair is hidden. What is left open there is a window; the lines through it are a narrower lines,
 /// which the next plane may stop. What cannot be proved whole is taken apart, first along a plane
 /// that stops many rays and has a part of the pair on either side. `hidden` is a proof,
 /// to rounding; `open` a line that was found; `unknown` neither.
@@ -67,19 +67,19 @@ class Occlusion {
     int depth = 0;
   };
 
-  Sight settle(Beam beam, Proof& proof, int rays) const;
-  bool find_open_line(const Beam& beam, Proof& proof, int rays,
+  Sight settle(LineSpace lines, Proof& proof, int rays) const;
+  bool find_open_line(const LineSpace& lines, Proof& proof, int rays,
                       std::vector<Suspect>& suspects) const;
-  Barrier best_barrier(const Beam& beam, std::span<const Suspect> suspects) const;
-  Beam through(const Beam& beam, const Barrier& barrier, const Polygon& window) const;
-  Sight take_apart(const Beam& beam, std::span<const Suspect> suspects, Proof& proof) const;
-  Sight settle(const Beam& beam, bool cut_a, std::array<std::vector<BeamPart>, 2>& halves,
-               Proof& proof) const;
+  Barrier best_barrier(const LineSpace& lines, std::span<const Suspect> suspects) const;
+  LineSpace through(const LineSpace& lines, const Barrier& barrier, const Polygon& window) const;
+  Sight take_apart(const LineSpace& lines, std::span<const Suspect> suspects, Proof& proof) const;
+  Sight settle(const LineSpace& lines, bool cut_a,
+               std::array<std::vector<LineSpacePart>, 2>& halves, Proof& proof) const;
 
   OcclusionConfig config_;
   double tolerance_m_;
   double smallest_m_ = 0.0;
-  std::vector<std::vector<BeamPart>> clusters_;
+  std::vector<std::vector<LineSpacePart>> clusters_;
   std::vector<Polygon> polygons_;
   OccluderPlanes planes_;
   RayScene rays_;

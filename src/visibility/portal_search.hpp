@@ -10,7 +10,7 @@
 #include "base/ids.hpp"
 #include "cells/partition/cell_complex.hpp"
 #include "geometry/half_spaces.hpp"
-#include "visibility/beam.hpp"
+#include "visibility/line_space.hpp"
 
 namespace enfilade {
 
@@ -50,7 +50,7 @@ struct CellView {
 struct SourcePolygon {
   Polygon polygon;
   Plane plane;
-  std::uint32_t number = BeamPart::no_number;  ///< among the polygons of all clusters
+  std::uint32_t number = LineSpacePart::no_number;  ///< among the polygons of all clusters
 };
 
 /// Lines from a source through the windows of the portals passed so far, and the next one.

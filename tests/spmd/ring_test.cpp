@@ -1,4 +1,4 @@
-// The token ring of §3.3.4: everybody's numbers come together, everybody hears the verdict.
+// The token ring of §3.3.4: everybody's numbers come together, everybody hears the decision.
 #include "schemes/spmd/ring.hpp"
 #include "check.hpp"
 #include "visibility/cluster_graph.hpp"
@@ -18,39 +18,39 @@ struct Idle {
 void ring_token(Context& context) {
   Communicator& c = context.communicator;
   Idle idle;
-  Dialogue dialogue(c, context.machine, idle.tasks);
+  ProgressEngine engine(c, context.machine, idle.tasks);
   const double rank = c.rank().value, ranks = c.size();
   for (int round = 1; round <= 50; ++round) {
-    dialogue.start(round);
+    engine.start(round);
     const Token own{{rank == 1.0 ? 7.0 * round : -rank}, {rank + 1.0, 1.0}, {}};
-    const Verdict verdict = go_round(c, context.machine, dialogue, own, [&](const Token& token) {
+    const Decision decision = go_round(c, context.machine, engine, own, [&](const Token& token) {
       SPMD_CHECK(token.maxima.at(0) == (ranks > 1 ? 7.0 * round : 0.0),
                  std::to_string(token.maxima[0]));
       SPMD_CHECK(token.sums.at(0) == ranks * (ranks + 1.0) / 2.0, std::to_string(token.sums[0]));
       SPMD_CHECK(token.sums.at(1) == ranks, std::to_string(token.sums[1]));
-      return Verdict{token.maxima[0], {static_cast<double>(round), token.sums[0]}, {}};
+      return Decision{token.maxima[0], {static_cast<double>(round), token.sums[0]}, {}};
     });
-    SPMD_CHECK(verdict.plan.at(0) == round, std::to_string(verdict.plan.at(0)));
-    SPMD_CHECK(verdict.plan.at(1) == ranks * (ranks + 1.0) / 2.0, "plan");
+    SPMD_CHECK(decision.plan.at(0) == round, std::to_string(decision.plan.at(0)));
+    SPMD_CHECK(decision.plan.at(1) == ranks * (ranks + 1.0) / 2.0, "plan");
   }
-  // Two tours a round: every rank sends the token once, all but the last the verdict once.
+  // Two tours a round: every rank sends the token once, all but the last the decision once.
   const std::uint64_t expected = ranks == 1 ? 0 : (rank + 1 == ranks ? 50u : 100u);
   SPMD_CHECK(c.sent().messages == expected, std::to_string(c.sent().messages));
 }
 
 void ring_with_one_late_rank(Context& context) {
-  // The token synchronises: no verdict before the last rank is idle.
+  // The token synchronises: no decision before the last rank is idle.
   Communicator& c = context.communicator;
   Idle idle;
-  Dialogue dialogue(c, context.machine, idle.tasks);
-  dialogue.start(1);
+  ProgressEngine engine(c, context.machine, idle.tasks);
+  engine.start(1);
   c.barrier();
   const double start_s = context.machine.now_s(), late_s = 0.2;
   if (c.rank().value + 1 == c.size()) {
     for (int turn = 0; context.machine.now_s() < start_s + late_s; ++turn)
       context.machine.pause(turn);
   }
-  go_round(c, context.machine, dialogue, Token{}, [](const Token&) { return Verdict{}; });
+  go_round(c, context.machine, engine, Token{}, [](const Token&) { return Decision{}; });
   SPMD_CHECK(context.machine.now_s() >= start_s + 0.95 * late_s,
              std::to_string(context.machine.now_s()));
 }

@@ -39,7 +39,7 @@ struct Portal {
 struct CellPiece {
   CellId cell;
   Piece piece;
-  bool sealed = false;  ///< no light gets to it (clusters/sealed_parts.hpp)
+  bool sealed = false;  ///< no light gets to it (clusters/unreachable_parts.hpp)
 };
 
 class CellComplex {

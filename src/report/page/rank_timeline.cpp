@@ -20,7 +20,7 @@ constexpr std::array<Look, phase_count> looks = {{
     {"commit", "moving files to the common directory", {204, 187, 68}},
     {"steal", "asking others for work", {34, 136, 51}},
     {"wait", "waiting", {187, 187, 187}},
-    {"token", "waiting for the token and its verdict", {170, 51, 119}},
+    {"token", "waiting for the token and its decision", {170, 51, 119}},
 }};
 
 constexpr double left_px = 150.0, top_px = 50.0, plot_px = 900.0;

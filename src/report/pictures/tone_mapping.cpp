@@ -39,17 +39,17 @@ ToneMap::ToneMap(std::vector<std::pair<double, double>> luminances, const ToneCo
   std::sort(luminances.begin(), luminances.end());
   const double middle = log_average(luminances);
   if (config.exposure > 0.0) {
-    exposure_ = config.exposure;
+    enclosed_share_ = config.exposure;
   } else if (middle > 0.0) {
-    exposure_ = config.key / middle;
+    enclosed_share_ = config.key / middle;
   }
   // The smallest light that is shown as white: lamps beyond the brightest 0.2 % may burn out.
-  white_ = std::max(1.0, exposure_ * quantile(luminances, 0.998));
+  white_ = std::max(1.0, enclosed_share_ * quantile(luminances, 0.998));
 }
 
 std::array<double, 3> ToneMap::operator()(const std::array<double, 3>& rgb) const {
-  const double light = exposure_ * luminance(rgb);
-  double scale = exposure_;
+  const double light = enclosed_share_ * luminance(rgb);
+  double scale = enclosed_share_;
   if (curve_ == ToneConfig::Curve::reinhard) {
     scale *= (1.0 + light / (white_ * white_)) / (1.0 + light);
   }

@@ -24,11 +24,11 @@ class ToneMap {
   /// `luminances` (with weights) are what exposure and white are found from.
   ToneMap(std::vector<std::pair<double, double>> weighted_luminances, const ToneConfig& config);
   std::array<double, 3> operator()(const std::array<double, 3>& rgb) const;
-  double exposure() const { return exposure_; }
+  double enclosed_share() const { return enclosed_share_; }
 
  private:
   ToneConfig::Curve curve_;
-  double exposure_ = 1.0, white_ = 1.0;
+  double enclosed_share_ = 1.0, white_ = 1.0;
 };
 
 /// Rec. 709 luminance.

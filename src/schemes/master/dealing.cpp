@@ -7,12 +7,12 @@ IterationPlan Master::run(IterationPlan plan, std::vector<double> changes) {
     work_.begin(plan, changes);
     const Token token = deal();
     work_.move_to_common();
-    Verdict verdict = judge_.decide(plan, token);
+    Decision decision = monitor_.decide(plan, token);
     for (int slave = 1; slave < communicator_.size(); ++slave)
-      send(communicator_, Rank{slave}, verdict);
+      send(communicator_, Rank{slave}, decision);
     communicator_.finish_sends();
-    plan = plan_from(verdict.plan);
-    changes = std::move(verdict.correction);
+    plan = plan_from(decision.plan);
+    changes = std::move(decision.correction);
   }
   return plan;
 }
@@ -99,10 +99,10 @@ IterationPlan run_slave(ClusterWork& work, RemoteFiles& files, Communicator& com
     work.move_to_common();
     const PhaseScope phase(machine, Phase::token);
     send(communicator, Rank{0}, own_token(work, sums, coarse_correction));
-    Verdict verdict = receive_from_master<Verdict>(communicator, machine);
+    Decision decision = receive_from_master<Decision>(communicator, machine);
     communicator.finish_sends();
-    plan = plan_from(verdict.plan);
-    changes = std::move(verdict.correction);
+    plan = plan_from(decision.plan);
+    changes = std::move(decision.correction);
   }
   return plan;
 }

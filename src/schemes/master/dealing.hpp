@@ -7,25 +7,25 @@
 
 #include "schemes/master/dealer.hpp"
 #include "schemes/master/remote_files.hpp"
-#include "schemes/protocol/judge.hpp"
+#include "schemes/protocol/convergence_monitor.hpp"
 
 namespace enfilade {
 
 /// A round of an iteration. Slave to master: WorkRequest; master to slave: WorkOrder. On the way,
 /// as often as needed, SectionRequest and SectionReply, and a ClusterResult for each gather. After
 /// an order without clusters, slave to master: Token; when all have come, master to slaves:
-/// Verdict.
+/// Decision.
 class Master {
  public:
   /// All must outlive it. `work` gathers nothing here: it merges, corrects and commits.
   Master(ClusterWork& work, ClusterStore& store, Dealer& dealer, Communicator& communicator,
-         Machine& machine, Judge& judge, bool coarse_correction)
+         Machine& machine, ConvergenceMonitor& monitor, bool coarse_correction)
       : work_(work),
         store_(store),
         dealer_(dealer),
         communicator_(communicator),
         machine_(machine),
-        judge_(judge),
+        monitor_(monitor),
         coarse_correction_(coarse_correction) {}
   /// Runs iterations from `plan` on until one is the last; returns the plan that ended the run.
   IterationPlan run(IterationPlan plan, std::vector<double> changes);
@@ -42,7 +42,7 @@ class Master {
   Dealer& dealer_;
   Communicator& communicator_;
   Machine& machine_;
-  Judge& judge_;
+  ConvergenceMonitor& monitor_;
   bool coarse_correction_;
   std::vector<Rank> waiting_;  ///< for an order, in the order of their requests
   std::map<Rank, Token> tokens_;

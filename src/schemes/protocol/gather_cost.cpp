@@ -53,13 +53,13 @@ std::vector<std::string> files_of(const fs::path& directory) {
 /// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
 template <class Take>
 void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
-                    LightOrder& light, Take take) {
+                    IterationMethod& light, Take take) {
   std::vector<bool> seen(clusters, false);
   for (const std::string& path : files_of(run_directory + "/costs/" + std::to_string(iteration))) {
     const std::vector<std::byte> bytes = read_file(path);
     ByteReader r(bytes, path);
     r.expect(mark);
-    light = r.get<LightOrder>();
+    light = r.get<IterationMethod>();
     for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
       const ClusterId cluster = take(r);
       if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");

@@ -16,13 +16,14 @@ namespace enfilade {
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
-  IterationFigures sums;               ///< what it brought; its work among them
-  SectionWeight patches, links;        ///< as it wrote them
-  std::vector<std::uint32_t> coupled;  ///< in the coarse system, if any: column + unknowns * zone
+  IterationFigures sums;         ///< what it brought; its work among them
+  SectionWeight patches, links;  ///< as it wrote them
+  std::vector<std::uint32_t>
+      coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
 };
 
 /// Whose light a gather takes: what the recorded iterations are true for.
-struct LightOrder {
+struct IterationMethod {
   bool coarse_correction = true;
   bool jacobi = false;
 
@@ -34,8 +35,8 @@ struct LightOrder {
   /// depend on the ranks' number and speeds; light then spreads as with Jacobi, which the coarse
   /// correction makes up for. And where that has several unknowns a cluster, all must have been
   /// seen by the same receivers, else how their light was shared out would pass for power.
-  bool committed_only(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
-    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.zoned()));
+  bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
+    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
   }
 };
 
@@ -45,7 +46,7 @@ struct Recording {
   std::vector<std::vector<GatherCost>> gathers;  ///< [iteration - 1][cluster]
   std::vector<IterationSummary> history;         ///< what the iterations came to
   std::size_t bands = 1;
-  LightOrder light;
+  IterationMethod light;
   Basis basis = Basis::linear;
 
   /// What a cluster's sections weigh once iteration `iteration` is over; 0 = at the start.
@@ -55,7 +56,7 @@ struct Recording {
 /// Takes down one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
-  CostRecorder(std::string run_directory, Rank rank, LightOrder light)
+  CostRecorder(std::string run_directory, Rank rank, IterationMethod light)
       : directory_(run_directory + "/costs/"), rank_(rank), light_(light) {}
 
   /// A cluster before the first iteration.
@@ -67,7 +68,7 @@ class CostRecorder {
  private:
   std::string directory_;
   Rank rank_;
-  LightOrder light_;
+  IterationMethod light_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
   std::vector<GatherCost> gathers_;
 };

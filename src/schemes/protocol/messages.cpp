@@ -35,10 +35,10 @@ void write(ByteWriter& w, const Token& token) {
   w.put_all(token.coarse);
 }
 
-void write(ByteWriter& w, const Verdict& verdict) {
-  w.put(verdict.value);
-  w.put_all(verdict.plan);
-  w.put_all(verdict.correction);
+void write(ByteWriter& w, const Decision& decision) {
+  w.put(decision.value);
+  w.put_all(decision.plan);
+  w.put_all(decision.correction);
 }
 
 void write(ByteWriter& w, const WorkRequest& request) { w.put_all(request.done); }
@@ -101,12 +101,12 @@ Token read_token(ByteReader& r) {
   return token;
 }
 
-Verdict read_verdict(ByteReader& r) {
-  Verdict verdict;
-  verdict.value = r.get<double>();
-  verdict.plan = r.get_all<double>();
-  verdict.correction = r.get_all<double>();
-  return verdict;
+Decision read_decision(ByteReader& r) {
+  Decision decision;
+  decision.value = r.get<double>();
+  decision.plan = r.get_all<double>();
+  decision.correction = r.get_all<double>();
+  return decision;
 }
 
 WorkOrder read_work_order(ByteReader& r) {
@@ -126,8 +126,8 @@ Message read_message(Tag tag, ByteReader& r) {
       return read_steal_reply(r);
     case Tag::token:
       return read_token(r);
-    case Tag::verdict:
-      return read_verdict(r);
+    case Tag::decision:
+      return read_decision(r);
     case Tag::work_request:
       return WorkRequest{r.get_all<GatherNote>()};
     case Tag::work_order:

@@ -40,14 +40,14 @@ struct Token {
 
 /// Second tour, from rank 0 on: `value` is T_final where another iteration follows, -1 where all is
 /// done; `plan` is what every rank must know about that iteration.
-struct Verdict {
+struct Decision {
   double value = -1.0;
   std::vector<double> plan;
   std::vector<double> correction;  ///< what the coarse system adds to the light; may be empty
 };
 
 /// The following are those of the schemes with a master (schemes/master/dealing.hpp), which is rank
-/// 0. There, slaves send their Token to the master and the master its Verdict to each slave.
+/// 0. There, slaves send their Token to the master and the master its Decision to each slave.
 
 /// What a gather of a slave did, as far as the master needs it to plan by.
 struct GatherNote {
@@ -84,7 +84,7 @@ struct ClusterResult {
   std::vector<SectionFile> sections;
 };
 
-using Message = std::variant<StealRequest, StealReply, Token, Verdict, WorkRequest, WorkOrder,
+using Message = std::variant<StealRequest, StealReply, Token, Decision, WorkRequest, WorkOrder,
                              SectionRequest, SectionReply, ClusterResult>;
 
 struct Received {
@@ -97,7 +97,7 @@ enum class Tag : int {
   steal_request = 1,
   steal_reply,
   token,
-  verdict,
+  decision,
   work_request,
   work_order,
   section_request,

@@ -5,15 +5,16 @@
 namespace enfilade {
 namespace {
 
-/// Where a row of the coarse system has entries: column + count * zone of the receiver.
+/// Where a row of the coarse system has entries: column + count * aggregate of the receiver.
 std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
                                    const CoarseUnknowns& unknowns) {
   std::vector<std::uint32_t> places;
-  for_each_coupling(receiver, row, unknowns,
-                    [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
-                      const std::uint32_t zone = to - unknowns.first[receiver.index()];
-                      places.push_back(from + zone * static_cast<std::uint32_t>(unknowns.count));
-                    });
+  for_each_coupling(
+      receiver, row, unknowns,
+      [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
+        const std::uint32_t aggregate = to - unknowns.first[receiver.index()];
+        places.push_back(from + aggregate * static_cast<std::uint32_t>(unknowns.count));
+      });
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
@@ -46,15 +47,15 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
         if (own.empty()) return;
         state.correct(unknowns_.of(state.id(), own, bands_));
       });
-  resident_.set_committed_only(config_.light.committed_only(plan, unknowns_));
+  resident_.set_jacobi(config_.light.uses_jacobi(plan, unknowns_));
   gather_config_.iteration = plan.iteration;
   gather_config_.refinement.link_tolerance = plan.link_tolerance;
   gather_config_.refine = plan.refine;
   gather_config_.coarse_row = config_.light.coarse_correction;
   gather_config_.close_rows = plan.close_rows;
-  gather_config_.mend = plan.mend;
-  gather_config_.residual = {};
-  if (plan.sample) gather_config_.residual = sampling(plan);
+  gather_config_.flux_correction = plan.flux_correction;
+  gather_config_.error_samples = {};
+  if (plan.sample) gather_config_.error_samples = sampling(plan);
   gather_config_.refinement.max_depth = config_.max_depth;
   gather_config_.refinement.min_area_m2 = config_.min_area_m2;
   gather_config_.refinement.oracle = config_.oracle;
@@ -62,9 +63,9 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
 }
 
 /// Half of the points go by area, half by the light that arrives.
-ResidualConfig RadiosityWork::sampling(const IterationPlan& plan) const {
+ErrorSampleConfig RadiosityWork::sampling(const IterationPlan& plan) const {
   constexpr double points = 256.0;
-  ResidualConfig config;
+  ErrorSampleConfig config;
   if (plan.received_power <= 0.0 || area_m2_ <= 0.0) return config;
   config.rays = plan.sample_rays;
   config.per_area = 0.5 * points / area_m2_;

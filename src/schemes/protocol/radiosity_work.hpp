@@ -20,7 +20,7 @@ struct RadiosityWorkConfig {
   int max_depth = 20;
   double min_area_m2 = 0.0;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
-  LightOrder light;
+  IterationMethod light;
   MemoryManager memory_manager = MemoryManager::own;
   OracleKind oracle = OracleKind::error;
   VisibilityMethod visibility = VisibilityMethod::exact;
@@ -54,7 +54,7 @@ class RadiosityWork final : public ClusterWork {
   const CoarseUnknowns& unknowns() const { return unknowns_; }
 
  private:
-  ResidualConfig sampling(const IterationPlan& plan) const;
+  ErrorSampleConfig sampling(const IterationPlan& plan) const;
   /// In ascending order, itself among them.
   std::vector<ClusterId> visible_to(ClusterId receiver) const;
 

@@ -5,8 +5,8 @@
 
 #include "base/peak_memory.hpp"
 #include "scene/equal_bands.hpp"
+#include "solver/energy_conservation.hpp"
 #include "solver/error_estimate.hpp"
-#include "solver/light_balance.hpp"
 
 namespace enfilade {
 namespace {

@@ -19,7 +19,8 @@ ReplayShared load(const std::string& recorded) {
   for (const auto& gathers : shared.recording.gathers) {
     for (const GatherCost& cost : gathers) {
       for (const std::uint32_t place : cost.coupled) {
-        if (place / shared.unknowns.count < shared.unknowns.zones[cost.cluster.index()]) continue;
+        if (place / shared.unknowns.count < shared.unknowns.aggregates[cost.cluster.index()])
+          continue;
         throw InputError(recorded, "costs", "damaged", "solve it again, then replay it");
       }
     }

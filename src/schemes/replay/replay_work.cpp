@@ -66,7 +66,7 @@ void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   if (shared_->recording.light.coarse_correction)
     coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
   resident_.set_correction({});
-  resident_.set_committed_only(shared_->recording.light.committed_only(plan, shared_->unknowns));
+  resident_.set_jacobi(shared_->recording.light.uses_jacobi(plan, shared_->unknowns));
 }
 
 IterationFigures ReplayWork::gather(ClusterId receiver) {

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
-#include "occluders/dark_polygons.hpp"
+#include "occluders/unreachable_polygons.hpp"
 #include "run/history.hpp"
 #include "schemes/master/cell_dealer.hpp"
 #include "schemes/master/dealing.hpp"
@@ -13,8 +13,8 @@
 #include "schemes/protocol/radiosity_work.hpp"
 #include "schemes/solve/run_ranks.hpp"
 #include "schemes/spmd/spmd.hpp"
+#include "solver/energy_conservation.hpp"
 #include "solver/error_estimate.hpp"
-#include "solver/light_balance.hpp"
 
 namespace enfilade {
 namespace {
@@ -48,13 +48,13 @@ void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
   });
   WorkCount count;
   const std::vector<char> dark =
-      dark_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
+      unreachable_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
   machine.compute(count);
   for (const ClusterId id : own) {
     ClusterState state(prepared.clusters[id.index()], prepared.scene, basis,
-                       work.unknowns().zones[id.index()]);
+                       work.unknowns().aggregates[id.index()]);
     for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
-      if (dark[work.occluders().global(id, k)] != 0) state.patches().seal(k);
+      if (dark[work.occluders().global(id, k)] != 0) state.patches().mark_unreachable(k);
     }
     store.write_initial(state);
     recorder.add_start(state);
@@ -105,9 +105,9 @@ IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const Ite
   }
   if (!s.communicator.root())
     return run_slave(s.work, s.remote, s.communicator, s.machine, correction, plan, changes);
-  Judge judge(s.work, s.machine, correction, history, plan_next, observer);
+  ConvergenceMonitor monitor(s.work, s.machine, correction, history, plan_next, observer);
   const std::unique_ptr<Dealer> dealer = s.dealer();
-  return Master(s.work, s.store, *dealer, s.communicator, s.machine, judge, correction)
+  return Master(s.work, s.store, *dealer, s.communicator, s.machine, monitor, correction)
       .run(plan, changes);
 }
 
@@ -134,7 +134,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
-  const LightOrder light{config.coarse_correction, config.jacobi};
+  const IterationMethod light{config.coarse_correction, config.jacobi};
   CostRecorder recorder(layout.run, communicator.rank(), light);
   RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
                      recorder,

@@ -14,7 +14,7 @@
 #include "run/prepare.hpp"
 #include "schemes/solve/scheme.hpp"
 #include "solver/iteration_plan.hpp"
-#include "store/placement.hpp"
+#include "store/simulated_placement.hpp"
 #include "tour/order.hpp"
 
 namespace enfilade {

@@ -4,15 +4,15 @@
 
 #include <functional>
 
-#include "schemes/spmd/dialogue.hpp"
+#include "schemes/spmd/progress_engine.hpp"
 
 namespace enfilade {
 
 /// Called by every rank once it is idle and has moved its files, with its own numbers. On rank 0
-/// `decide` turns everybody's into the verdict: when it is called, all ranks are idle and have
-/// moved. Returns that verdict on every rank.
-Verdict go_round(Communicator& communicator, Machine& machine, Dialogue& dialogue, const Token& own,
-                 const std::function<Verdict(const Token&)>& decide,
-                 const std::function<void(Token& token, const Token& own)>& add_own = fold);
+/// `decide` turns everybody's into the decision: when it is called, all ranks are idle and have
+/// moved. Returns that decision on every rank.
+Decision go_round(Communicator& communicator, Machine& machine, ProgressEngine& engine,
+                  const Token& own, const std::function<Decision(const Token&)>& decide,
+                  const std::function<void(Token& token, const Token& own)>& add_own = fold);
 
 }  // namespace enfilade

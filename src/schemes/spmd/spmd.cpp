@@ -1,20 +1,20 @@
 #include "schemes/spmd/spmd.hpp"
 
 #include "schemes/spmd/ring.hpp"
-#include "schemes/spmd/stealing.hpp"
+#include "schemes/spmd/work_stealing.hpp"
 
 namespace enfilade {
 namespace {
 
 /// Gathers for this rank's clusters, then for others' as long as there are any.
-IterationFigures gather_all(ClusterWork& work, TaskList& tasks, Dialogue& dialogue, Thief& thief,
-                            bool steal) {
+IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& engine,
+                            WorkStealingClient& thief, bool steal) {
   IterationFigures sums;
   const auto gather = [&](ClusterId cluster) {
     const IterationFigures part = work.gather(cluster);
     tasks.gathered(cluster, part.change_power);
     add(sums, part);
-    dialogue.look();
+    engine.look();
   };
   while (const auto cluster = tasks.next()) gather(*cluster);
   while (steal) {
@@ -34,26 +34,26 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
                        Machine& machine, const SpmdConfig& config, IterationPlan plan,
                        std::vector<double> changes, std::vector<IterationSummary>& history,
                        const PlanNext& plan_next, const SummaryObserver& observer) {
-  Dialogue dialogue(communicator, machine, tasks);
-  Thief thief(communicator, machine, dialogue);
-  Judge judge(work, machine, config.coarse_correction, history, plan_next, observer);
-  const auto decide = [&](const Token& token) { return judge.decide(plan, token); };
+  ProgressEngine engine(communicator, machine, tasks);
+  WorkStealingClient thief(communicator, machine, engine);
+  ConvergenceMonitor monitor(work, machine, config.coarse_correction, history, plan_next, observer);
+  const auto decide = [&](const Token& token) { return monitor.decide(plan, token); };
   const auto add_own = [&](Token& token, const Token& own) {
     add_token(work, token, own, config.coarse_correction);
   };
 
-  if (communicator.size() > 1) work.set_listener([&dialogue] { dialogue.look_again(); });
+  if (communicator.size() > 1) work.set_listener([&engine] { engine.look_again(); });
   while (!plan.finished) {
     work.begin(plan, changes);
     tasks.start();
     thief.start(plan.iteration);
-    dialogue.start(plan.iteration);
-    const IterationFigures sums = gather_all(work, tasks, dialogue, thief, config.steal);
+    engine.start(plan.iteration);
+    const IterationFigures sums = gather_all(work, tasks, engine, thief, config.steal);
     work.move_to_common();
     const Token own = own_token(work, sums, config.coarse_correction);
-    Verdict verdict = go_round(communicator, machine, dialogue, own, decide, add_own);
-    plan = plan_from(verdict.plan);
-    changes = std::move(verdict.correction);
+    Decision decision = go_round(communicator, machine, engine, own, decide, add_own);
+    plan = plan_from(decision.plan);
+    changes = std::move(decision.correction);
   }
   work.set_listener({});
   return plan;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "schemes/protocol/judge.hpp"
-#include "schemes/spmd/dialogue.hpp"
+#include "schemes/protocol/convergence_monitor.hpp"
+#include "schemes/spmd/progress_engine.hpp"
 #include "schemes/spmd/task_list.hpp"
 
 namespace enfilade {

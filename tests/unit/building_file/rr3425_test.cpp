@@ -9,7 +9,7 @@
 #include "cells/partition/cell_complex.hpp"
 #include "cells/rooms/build_cells.hpp"
 #include "clusters/cluster.hpp"
-#include "clusters/sealed_parts.hpp"
+#include "clusters/unreachable_parts.hpp"
 #include "unit/modeler/buildings.hpp"
 
 namespace enfilade {
@@ -60,7 +60,7 @@ TEST(Rr3425, HasThePapersCellsAndClusters) {
   for (const Piece& piece : pieces) {
     for (CellPiece& part : cells.cut(piece)) parts.push_back(std::move(part));
   }
-  parts = cut_sealed_parts(scene, parts, cells.tolerance_m(), {});
+  parts = cut_unreachable_parts(scene, parts, cells.tolerance_m(), {});
   const auto clusters = build_clusters(scene, parts, {});
   // building_file/presets.cpp says which numbers to move where one of these has changed.
   EXPECT_EQ(cells.open_cells(), 615u);

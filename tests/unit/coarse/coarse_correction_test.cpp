@@ -73,10 +73,10 @@ TEST(CoarseSystem, LightThatNobodyGivesDies) {
 }
 
 TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
-  for (const auto& [rho, zones] : std::vector<std::pair<double, bool>>{
+  for (const auto& [rho, aggregates] : std::vector<std::pair<double, bool>>{
            {0.5, true}, {0.9, true}, {0.99, true}, {0.999, true}, {0.9, false}, {0.999, false}}) {
     const testing::Solved with(testing::box_room({0, 0, 0}, {4, 4, 4}, {rho}, {1.0}), Basis::linear,
-                               1e-3, true, 500, zones);
+                               1e-3, true, 500, aggregates);
     EXPECT_LE(with.iterations, 12) << rho;
     EXPECT_NEAR(with.states[0].patches().irradiance(0)[0] * (1.0 - rho), 1.0, 1e-4) << rho;
   }
@@ -94,7 +94,7 @@ TEST(CoarseUnknowns, AreZonesWhereClustersAreFewAndSharedWhereTheyAreMany) {
   clusters[0].area_m2 = 3.0;
   clusters[1].area_m2 = 1.0;
   const CoarseUnknowns few = coarse_unknowns(clusters, 11);
-  EXPECT_EQ(few.zones, (std::vector<std::uint32_t>{7, 3, 1}));
+  EXPECT_EQ(few.aggregates, (std::vector<std::uint32_t>{7, 3, 1}));
   EXPECT_EQ(few.first, (std::vector<std::uint32_t>{0, 7, 10}));
   EXPECT_EQ(few.count, 11u);
   const std::vector<double> numbers(22, 1.0);

@@ -73,11 +73,11 @@ struct Solved {
   WorkCount work;
 
   Solved(Scene s, Basis basis, double epsilon, bool coarse = true, int most = 500,
-         bool zones = true)
+         bool aggregates = true)
       : scene(std::move(s)), clusters(clusters_of(scene)), occluders(clusters) {
-    const CoarseUnknowns unknowns = coarse_unknowns(clusters, zones ? 128 : 1);
+    const CoarseUnknowns unknowns = coarse_unknowns(clusters, aggregates ? 128 : 1);
     for (const Cluster& c : clusters) {
-      states.emplace_back(c, scene, basis, unknowns.zones[c.id.index()]);
+      states.emplace_back(c, scene, basis, unknowns.aggregates[c.id.index()]);
     }
     const Spectrum emitted = emitted_power(scene, clusters);
     GatherConfig config;
@@ -93,8 +93,8 @@ struct Solved {
       double change = 0.0, received = 0.0, absorbed = 0.0;
       links = 0;
       std::vector<ClusterState> committed;
-      if (unknowns.zoned()) committed = states;
-      const std::vector<ClusterState>& light = unknowns.zoned() ? committed : states;
+      if (unknowns.aggregated()) committed = states;
+      const std::vector<ClusterState>& light = unknowns.aggregated() ? committed : states;
       for (ClusterState& receiver : states) {
         const GatherResult r = gather(
             receiver, all,

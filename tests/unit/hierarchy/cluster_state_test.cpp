@@ -32,13 +32,13 @@ TEST(ClusterState, SurvivesItsFile) {
 /// A replay takes the memory that was recorded for one that was read.
 TEST(ClusterState, TakesAsMuchMemoryWhenItIsRead) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
-  for (const std::size_t zones : {1u, 11u}) {
-    ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear, zones);
+  for (const std::size_t aggregates : {1u, 11u}) {
+    ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear, aggregates);
     state.patches().subdivide(state.patches().subdivide(0));
     state.shrink();
     const ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches),
                             {});
-    EXPECT_EQ(copy.memory_bytes(), state.memory_bytes()) << zones;
+    EXPECT_EQ(copy.memory_bytes(), state.memory_bytes()) << aggregates;
   }
 }
 

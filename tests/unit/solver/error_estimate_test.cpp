@@ -15,7 +15,7 @@ IterationSummary summary(double change, double reflected = 50.0) {
   s.sums.arriving_power = {100.0};
   s.sums.returning_power = {reflected};
   s.sums.absorbed_power = {50.0};
-  s.sums.escaping_power = s.sums.beamed_power = {0.0};
+  s.sums.escaping_power = s.sums.direct_power = {0.0};
   return s;
 }
 const Spectrum emitted{50.0};
@@ -58,7 +58,7 @@ TEST(ErrorEstimate, ChangesThatAlternateDoNotSeemEndless) {
 TEST(ErrorEstimate, AChangeThatAMendMadeIsPassedOnByReflection) {
   std::vector<IterationSummary> history = {summary(0.1), summary(1.0)};
   EXPECT_GT(estimate_error(history, emitted).iteration_bound, 10.0);  // it grew: no end in sight
-  history.back().plan.mend = {0.1};
+  history.back().plan.flux_correction = {0.1};
   EXPECT_NEAR(estimate_error(history, emitted).iteration_bound, 0.01, 1e-9);
   EXPECT_NEAR(estimate_error(history, emitted).iteration, 0.01, 1e-9);
 }
@@ -67,12 +67,12 @@ TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   history.back().plan.sample = true;
   history.back().plan.sample_rays = 64;
-  history.back().sums.residual = {{10.0}, {0.1}, {0.5}, {0.3}};
+  history.back().sums.error_samples = {{10.0}, {0.1}, {0.5}, {0.3}};
   // What is off on the patches, and half of a third of that: what they reflect of each other's.
   // Nor does a residual of 0.04 say more than that beside noise that can hide a tenth of itself.
   const double residual = std::hypot(0.04, 0.1 * 0.03);
   EXPECT_NEAR(estimate_error(history, emitted).patches, residual * (1.0 + 0.5 / 3.0), 1e-9);
-  EXPECT_NEAR(sample_noise(history.back().sums.residual), 0.03, 1e-9);
+  EXPECT_NEAR(sample_noise(history.back().sums.error_samples), 0.03, 1e-9);
   // A point gathered for sees half of it, as half of its light is reflected, and less for what
   // cancels.
   EXPECT_LT(estimate_error(history, emitted).total(), 0.02);
@@ -84,8 +84,8 @@ TEST(ErrorEstimate, WhatOneBandIsOffByIsNotReflectedByAnother) {
   history.back().plan.sample = true;
   sums.arriving_power = {100.0, 100.0};
   sums.returning_power = {10.0, 90.0};
-  sums.absorbed_power = sums.escaping_power = sums.beamed_power = {0.0, 0.0};
-  sums.residual = {{10.0, 10.0}, {0.0, 0.0}, {0.6, 0.1}, {0.0, 0.0}};
+  sums.absorbed_power = sums.escaping_power = sums.direct_power = {0.0, 0.0};
+  sums.error_samples = {{10.0, 10.0}, {0.0, 0.0}, {0.6, 0.1}, {0.0, 0.0}};
   const ErrorEstimate estimate = estimate_error(history, {0.0, 0.0});
   EXPECT_NEAR(estimate.total(), 0.9 * 0.01 / 3.0, 1e-9);
   EXPECT_NEAR(estimate.patches, 0.06 * (1.0 + 0.1 / 3.0), 1e-9);
@@ -96,17 +96,17 @@ TEST(ErrorEstimate, NoiseIsNoMoreThanGatheredPointsAreLeftWith) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   history.back().plan.sample = true;
   history.back().plan.sample_rays = 4096;
-  history.back().sums.residual = {{10.0}, {0.0}, {0.1}, {0.1}};  // 1%
+  history.back().sums.error_samples = {{10.0}, {0.0}, {0.1}, {0.1}};  // 1%
   const double some = estimate_error(history, emitted).total();
   EXPECT_LT(some, 0.005);
-  history.back().sums.residual.off = history.back().sums.residual.noise = {0.8};  // 8%
+  history.back().sums.error_samples.off = history.back().sums.error_samples.noise = {0.8};  // 8%
   EXPECT_GT(estimate_error(history, emitted).total(), 0.015);
 }
 
 TEST(ErrorEstimate, FollowsTheLinksAfterTheLastSamples) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0), summary(0.0)};
   history[1].plan.sample = true;
-  history[1].sums.residual = {{10.0}, {0.1}, {0.4}, {0.0}};
+  history[1].sums.error_samples = {{10.0}, {0.1}, {0.4}, {0.0}};
   history[1].sums.link_error_power = 20.0;
   history[2].sums.link_error_power = 5.0;
   EXPECT_NEAR(estimate_error(history, emitted).patches, 0.01 * (1.0 + 0.5 / 3.0), 1e-9);

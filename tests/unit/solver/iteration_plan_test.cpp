@@ -125,7 +125,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.plan.refine = false;
   s.error = {0.1, 0.2, 0.3, 0.4, 0.5};
   s.plan.sample_rays = 99;
-  s.plan.mend = {0.5, -0.25};
+  s.plan.flux_correction = {0.5, -0.25};
   s.time_s = 9.0;
   s.sums.max_change = 0.75;
   s.sums.steals = 3;
@@ -134,9 +134,9 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   double next = 1.0;
   for (Spectrum* spectrum :
        {&s.sums.arriving_power, &s.sums.returning_power, &s.sums.absorbed_power,
-        &s.sums.escaping_power, &s.sums.beamed_power, &s.sums.doubtful_power,
-        &s.sums.residual.light, &s.sums.residual.surplus, &s.sums.residual.off,
-        &s.sums.residual.noise}) {
+        &s.sums.escaping_power, &s.sums.direct_power, &s.sums.uncertain_power,
+        &s.sums.error_samples.light, &s.sums.error_samples.surplus, &s.sums.error_samples.off,
+        &s.sums.error_samples.noise}) {
     *spectrum = {next, next + 0.25};
     next += 1.0;
   }
@@ -148,9 +148,9 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(back.sums.work.shafts, 8u);
   EXPECT_EQ(back.error.iteration_bound, 0.5);
   EXPECT_EQ(back.plan.sample_rays, 99);
-  EXPECT_EQ(back.plan.mend, s.plan.mend);
+  EXPECT_EQ(back.plan.flux_correction, s.plan.flux_correction);
   EXPECT_EQ(back.sums.absorbed_power, s.sums.absorbed_power);
-  EXPECT_EQ(back.sums.residual.noise, s.sums.residual.noise);
+  EXPECT_EQ(back.sums.error_samples.noise, s.sums.error_samples.noise);
   EXPECT_EQ(back.sums.escaping_power, s.sums.escaping_power);
   EXPECT_THROW(summary_from(std::vector<double>(9, 1.0)), RunError);
 }

@@ -26,10 +26,11 @@ TEST(Messages, ComeBackAsTheyWereSent) {
   EXPECT_EQ(token.sums, (std::vector<double>{2.5, -3.0}));
   EXPECT_EQ(token.coarse, (std::vector<double>{9.0}));
 
-  const auto verdict = std::get<Verdict>(decode(Tag::verdict, encode(Verdict{-1.0, {4.0}, {5.0}})));
-  EXPECT_EQ(verdict.value, -1.0);
-  EXPECT_EQ(verdict.plan, (std::vector<double>{4.0}));
-  EXPECT_EQ(verdict.correction, (std::vector<double>{5.0}));
+  const auto decision =
+      std::get<Decision>(decode(Tag::decision, encode(Decision{-1.0, {4.0}, {5.0}})));
+  EXPECT_EQ(decision.value, -1.0);
+  EXPECT_EQ(decision.plan, (std::vector<double>{4.0}));
+  EXPECT_EQ(decision.correction, (std::vector<double>{5.0}));
 }
 
 TEST(Messages, OfAMasterAndItsSlavesComeBackAsTheyWereSent) {

@@ -1,5 +1,5 @@
-#include "scene/scene.hpp"
 #include "base/error.hpp"
+#include "scene/scene.hpp"
 
 int count() {
   // one more

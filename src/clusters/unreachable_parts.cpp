@@ -1,0 +1,234 @@
+#include "clusters/unreachable_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "clusters/contact_segments.hpp"
+#include "clusters/light_walk.hpp"
+#include "geometry/convex.hpp"
+
+namespace enfilade {
+namespace {
+
+constexpr int points_of_part = 8;  // a part's walks start from this many points spread over it
+
+/// Halved along lines of contact; a leaf has no children.
+struct Node {
+  Polygon polygon;
+  std::vector<Segment> segments;  ///< inside the polygon, longest first
+  std::size_t front = 0, back = 0;
+  bool sealed = false;
+};
+
+struct Part {
+  Polygon polygon;
+  bool sealed;
+};
+
+std::vector<Segment> side_of(const std::vector<Segment>& segments, const Plane& plane, double side,
+                             double tolerance_m, double min_length_m) {
+  std::vector<Segment> kept;
+  for (Segment s : segments) {
+    const double da = side * plane.signed_distance(s.a), db = side * plane.signed_distance(s.b);
+    if (std::max(da, db) <= tolerance_m) continue;
+    if (da < 0.0) s.a += (s.b - s.a) * (da / (da - db));
+    if (db < 0.0) s.b += (s.a - s.b) * (db / (db - da));
+    if (s.length_m() >= min_length_m) kept.push_back(s);
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Segment& s, const Segment& t) { return s.length_m() > t.length_m(); });
+  return kept;
+}
+
+/// One piece and what becomes of it.
+class PieceCut {
+ public:
+  PieceCut(const Polygon& polygon, std::vector<Segment> segments, const LightWalk& walk,
+           const UnreachableConfig& config, double tolerance_m, double min_length_m, Random random)
+      : n_(normal(polygon)),
+        walk_(walk),
+        config_(config),
+        tolerance_m_(tolerance_m),
+        min_length_m_(min_length_m),
+        random_(random) {
+    nodes_.push_back({polygon, std::move(segments)});
+  }
+
+  std::vector<Part> parts() {
+    cut();
+    monitor();
+    std::vector<Part> found;
+    collect(0, found);
+    rejoin(found);
+    return found;
+  }
+
+ private:
+  /// Longest contact first, over all leaves, until none parts light from dark any more.
+  void cut() {
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry> longest;
+    const auto push = [&](std::size_t i) {
+      if (!nodes_[i].segments.empty()) longest.push({nodes_[i].segments[0].length_m(), i});
+    };
+    push(0);
+    for (std::size_t leaves = 1; !longest.empty() && leaves < config_.max_parts;) {
+      const std::size_t i = longest.top().second;
+      longest.pop();
+      leaves += halve(i) ? 1 : 0;
+      if (nodes_[i].front == 0) {
+        push(i);
+      } else {
+        push(nodes_[i].front);
+        push(nodes_[i].back);
+      }
+    }
+  }
+
+  /// Along its longest contact; where that is no border, it is crossed out and nothing is cut.
+  bool halve(std::size_t i) {
+    const Segment s = nodes_[i].segments.front();
+    const Vec3 across = glm::normalize(glm::cross(n_, s.b - s.a));
+    std::pair<Polygon, Polygon> halves;
+    const Plane plane{across, glm::dot(across, s.a)};
+    const bool border = parts_light_from_dark(s, across);
+    if (border) halves = split(nodes_[i].polygon, plane, tolerance_m_);
+    if (halves.first.size() < 3 || halves.second.size() < 3) {
+      nodes_[i].segments.erase(nodes_[i].segments.begin());
+      return false;
+    }
+    const std::vector<Segment> segments = std::move(nodes_[i].segments);
+    nodes_[i].front = nodes_.size();
+    nodes_[i].back = nodes_.size() + 1;
+    nodes_.push_back(
+        {std::move(halves.first), side_of(segments, plane, 1.0, tolerance_m_, min_length_m_)});
+    nodes_.push_back(
+        {std::move(halves.second), side_of(segments, plane, -1.0, tolerance_m_, min_length_m_)});
+    return true;
+  }
+
+  bool parts_light_from_dark(const Segment& s, const Vec3& across) {
+    for (const double t : {0.5, 0.15, 0.85}) {
+      const Vec3 p = s.a + t * (s.b - s.a);
+      const Vec3 aside = 4.0 * tolerance_m_ * across;
+      const int walks = config_.walks / 2;
+      if (walk_.finds_light(p + aside, n_, walks, random_) !=
+          walk_.finds_light(p - aside, n_, walks, random_)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Points in the triangles of a fan, as many as their areas ask for, a little inside.
+  bool is_sealed(const Polygon& polygon) {
+    const double area = area_m2(polygon);
+    const Vec3 c = centroid(polygon);
+    std::size_t k = 2;
+    double before = 0.0;
+    const auto triangle = [&](std::size_t j) {
+      return 0.5 * glm::length(glm::cross(polygon[j - 1] - polygon[0], polygon[j] - polygon[0]));
+    };
+    for (int i = 0; i < points_of_part; ++i) {
+      const double target = area * (i + 0.5) / points_of_part;
+      while (k + 1 < polygon.size() && before + triangle(k) < target) before += triangle(k++);
+      const double u = std::sqrt(random_.uniform()), v = random_.uniform();
+      const Vec3 p = (1.0 - u) * polygon[0] + u * ((1.0 - v) * polygon[k - 1] + v * polygon[k]);
+      const int walks = std::max(1, config_.walks / points_of_part);
+      if (walk_.finds_light(c + 0.96 * (p - c), n_, walks, random_)) return false;
+    }
+    return true;
+  }
+
+  /// Leaves by walks, the others by their children; halves in one state become whole again.
+  void monitor() {
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+      Node& node = nodes_[i];
+      if (node.front == 0) {
+        node.sealed = is_sealed(node.polygon);
+        continue;
+      }
+      const Node &a = nodes_[node.front], &b = nodes_[node.back];
+      if (a.front == 0 && b.front == 0 && a.sealed == b.sealed) {
+        node.sealed = a.sealed;
+        node.front = node.back = 0;
+      }
+    }
+  }
+
+  void collect(std::size_t i, std::vector<Part>& found) {
+    Node& node = nodes_[i];
+    if (node.front == 0) {
+      found.push_back({std::move(node.polygon), node.sealed});
+    } else {
+      collect(node.front, found);
+      collect(node.back, found);
+    }
+  }
+
+  /// One polygon for two of one state where their hull is no larger than they are together.
+  void rejoin(std::vector<Part>& parts) const {
+    for (bool joined = true; joined;) {
+      joined = false;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t j = i + 1; j < parts.size();) {
+          if (join(parts[i], parts[j])) {
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
+            joined = true;
+          } else {
+            ++j;
+          }
+        }
+      }
+    }
+  }
+
+  bool join(Part& a, const Part& b) const {
+    if (a.sealed != b.sealed || !bounds(a.polygon).overlaps(bounds(b.polygon), tolerance_m_)) {
+      return false;
+    }
+    std::vector<Vec3> points(a.polygon);
+    points.insert(points.end(), b.polygon.begin(), b.polygon.end());
+    Polygon hull = convex_hull(std::move(points), n_);
+    const double sum = area_m2(a.polygon) + area_m2(b.polygon);
+    if (std::abs(area_m2(hull) - sum) > 1e-9 * sum) return false;
+    a.polygon = std::move(hull);
+    return true;
+  }
+
+  Vec3 n_;
+  const LightWalk& walk_;
+  const UnreachableConfig& config_;
+  double tolerance_m_, min_length_m_;
+  Random random_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const CellPiece> pieces,
+                                             double tolerance_m, const UnreachableConfig& config) {
+  Box box;
+  std::vector<const Polygon*> polygons;
+  for (const CellPiece& piece : pieces) {
+    polygons.push_back(&piece.piece.polygon);
+    box.add(bounds(piece.piece.polygon));
+  }
+  const double min_length_m = config.min_length_relative * box.diagonal();
+  const ContactSegments contacts(polygons, tolerance_m, min_length_m);
+  // Clear of whatever lies in the plane itself.
+  const LightWalk walk(scene, pieces, 2.0 * tolerance_m, config.max_bounces);
+  std::vector<CellPiece> cut;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i].piece;
+    PieceCut one(piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
+                 Random(config.seed * 0x9E3779B97F4A7C15ull + i));
+    for (Part& part : one.parts()) {
+      cut.push_back({pieces[i].cell, {piece.surface, std::move(part.polygon)}, part.sealed});
+    }
+  }
+  return cut;
+}
+
+}  // namespace enfilade

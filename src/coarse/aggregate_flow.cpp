@@ -1,0 +1,69 @@
+#include "coarse/aggregate_flow.hpp"
+
+#include <algorithm>
+
+namespace enfilade {
+AggregateFlow::AggregateFlow(const PatchForest& receiver, const Aggregates& receiving,
+                             const PatchForest& shooter, const Aggregates& shooting)
+    : receiver_(receiver),
+      shooter_(shooter),
+      receiving_(receiving),
+      shooting_(shooting),
+      bands_(static_cast<std::size_t>(receiver.bands())),
+      flow_(receiving.size() * shooting.size() * bands_, 0.0) {
+  if (shooting.size() > 1) reflected_ = shooting.reflected_power(shooter);
+}
+
+/// A group's beam goes to its polygons by the cosine; what reaches a patch, to its parts by area.
+void AggregateFlow::share_received(const Link& link, std::span<const float> transport) {
+  received_.assign(receiving_.size(), 0.0);
+  constexpr double whole = 1.0;
+  if (receiving_.size() == 1) {
+    received_[0] = whole;
+  } else if (!link.receiver.is_group()) {
+    receiving_.add(receiver_, link.receiver, std::span(&whole, 1), received_);
+  } else {
+    double sum = 0.0;
+    for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double cosine) {
+      const double area_m2 = receiver_.node(k).shape.area_m2 * cosine;
+      receiving_.add(receiver_, {k, 1}, std::span(&area_m2, 1), received_);
+      sum += area_m2;
+    });
+    for (double& share : received_) share = sum > 0.0 ? share / sum : 0.0;
+  }
+}
+
+void AggregateFlow::share_sent(PatchId node) {
+  from_ = shooting_.of(shooter_, node);
+  sent_.assign(from_.size() * bands_, 1.0);
+  if (from_.size() == 1) return;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double sum = 0.0;
+    for (std::uint32_t z = from_.begin; z < from_.end; ++z) sum += reflected_[z * bands_ + b];
+    for (std::uint32_t i = 0; i < from_.size(); ++i) {
+      sent_[i * bands_ + b] =
+          sum > 0.0 ? reflected_[(from_.begin + i) * bands_ + b] / sum : 1.0 / from_.size();
+    }
+  }
+}
+
+void AggregateFlow::add(const Link& link, std::span<const float> transport,
+                        std::span<const double> power) {
+  if (flow_.size() == bands_) {  // one aggregate on either side
+    for (std::size_t b = 0; b < bands_; ++b) flow_[b] += power[b];
+    return;
+  }
+  share_received(link, transport);
+  share_sent(link.shooter);
+  for (std::size_t to = 0; to < received_.size(); ++to) {
+    if (received_[to] == 0.0) continue;
+    for (std::uint32_t i = 0; i < from_.size(); ++i) {
+      double* flow = flow_.data() + (to * shooting_.size() + from_.begin + i) * bands_;
+      for (std::size_t b = 0; b < bands_; ++b) {
+        flow[b] += received_[to] * sent_[i * bands_ + b] * power[b];
+      }
+    }
+  }
+}
+
+}  // namespace enfilade

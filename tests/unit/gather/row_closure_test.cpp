@@ -1,0 +1,61 @@
+#include "gather/row_closure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/gather/box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+/// The floor of a closed, glowing room, 16 m2, has one link, to the ceiling.
+struct Closed {
+  std::vector<double> gathered;  ///< by closing its row alone, per band
+  Spectrum uncertain_power;
+};
+Closed closed(float share, float uncertainty, const std::vector<double>& light, double variation) {
+  const Spectrum grey(light.size(), 0.5), glow(light.size(), 1.0);
+  const Scene scene = testing::box_room({0, 0, 0}, {4, 4, 4}, grey, glow);
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  std::vector<ClusterState> states;
+  for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
+  RowClosure closing(states[0]);
+  for (const ClusterState& s : states) closing.see(s);
+  Link link;
+  link.shooter_cluster = ClusterId(1u);
+  link.shooter = link.receiver = {0, 1};
+  link.error = uncertainty * 16.0f;
+  link.variation = 16.0f;
+  closing.add(link, std::span(&share, 1), light, variation);
+  WorkCount work;
+  Closed result{std::vector<double>(light.size(), 0.0), {}};
+  closing.close(occluders, {}, work, result.gathered);
+  result.uncertain_power = closing.uncertain_power();
+  return result;
+}
+
+double added(float share, float uncertainty) {
+  return closed(share, uncertainty, {800.0}, 0.0).gathered[0] / 800.0;
+}
+
+TEST(RowClosure, GivesARowWhatItLacks) {
+  EXPECT_NEAR(added(0.75f, 0.5f), 0.25, 1e-6);
+  EXPECT_NEAR(added(1.25f, 0.5f), -0.25, 1e-6);
+}
+
+/// A face that nearly touches another sees next to nothing else: the lamp whose light comes through
+/// the gap is not all around it.
+TEST(RowClosure, AddsNoMoreOfTheirLightThanTheLinksMayBeWrongBy) {
+  // 0.006 of the lamp's 800, and 0.974 of what the face sends out with that: 1 + 0.5 E.
+  const double lamp = 0.006 * 800.0, own = (0.5 * lamp + 1.0) / (1.0 - 0.5 * 0.974);
+  EXPECT_NEAR(added(0.02f, 0.006f), (lamp + 0.974 * own) / 800.0, 1e-4);
+}
+
+/// Links' errors make light negative here and there; one band's variation must not be weighed by
+/// the light of another that has next to none.
+TEST(RowClosure, DoubtfulLightOfOneBandIsBoundedByItsOwn) {
+  EXPECT_NEAR(closed(1.0f, 0.0f, {-1000.0, 1e-3}, 500.0).uncertain_power[0], -16.0 * 500.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace enfilade
