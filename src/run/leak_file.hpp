@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/warnings.hpp"
 #include "cells/rooms/leaks.hpp"
 
 namespace enfilade {
@@ -13,7 +12,5 @@ namespace enfilade {
 void write_leaks(const std::string& run_directory, const std::vector<Leak>& leaks);
 /// None where the file is not there. Throws RunError where it is damaged.
 std::vector<Leak> read_leaks(const std::string& run_directory);
-/// One warning a leak: which cell, where, how wide.
-void warn_of_leaks(const std::vector<Leak>& leaks, Warnings& warnings);
 
 }  // namespace enfilade

@@ -7,11 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "base/peak_memory.hpp"
 #include "base/posix_file.hpp"
-#include "cells/partition/plane_set.hpp"
-#include "cells/rooms/build_cells.hpp"
-#include "clusters/contact_segments.hpp"
 #include "run/graph_file.hpp"
 #include "run/leak_file.hpp"
 #include "run/run_layout.hpp"
@@ -31,9 +27,9 @@ std::string text_of(const std::string& path) {
 /// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
 /// option compiles unless it is put here too.
 std::string options_of(const PrepareConfig& config) {
-  const auto& [cells, sealed, clusters, contacts, visibility] = config;
+  const auto& [cells, unreachable, clusters, contacts, visibility] = config;
   const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
-  const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = sealed;
+  const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = unreachable;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [min_contact_relative, most_contacts] = contacts;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
@@ -75,13 +71,12 @@ std::string options_of(const PrepareConfig& config) {
 }
 
 /// The scene's own text where it is one of ours (extra keys and all), else the scene as imported.
-void keep_scene(Scene& scene, const std::string& path) {
+void keep_scene(const Scene& scene, const std::string& path) {
   if (scene.text.empty()) {
     write_scene(scene, path);
   } else {
     replace_file(path, scene.text);
   }
-  scene.text = {};
 }
 
 /// The bytes and their checksum.
@@ -107,22 +102,6 @@ auto load(const std::string& path, FromBytes from_bytes) {
   }
 }
 
-/// Writes down what each step takes.
-class Stopwatch {
- public:
-  explicit Stopwatch(std::vector<PrepareStep>& steps) : steps_(steps) {}
-  void end_of(const char* step) {
-    const auto now = Clock::now();
-    steps_.push_back({step, std::chrono::duration<double>(now - start_).count(), peak_rss_bytes()});
-    start_ = now;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::vector<PrepareStep>& steps_;
-  Clock::time_point start_ = Clock::now();
-};
-
 /// A run that is to be gone on with is not prepared anew, which would drop its solution.
 void refuse_to_drop(const std::string& run_directory) {
   std::error_code code;
@@ -138,47 +117,19 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
                  Warnings& warnings, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   check_run_directory(run_directory);
-  Prepared p;
-  p.scene = scene;
-  Stopwatch stopwatch(p.steps);
-  report_progress(progress, "pieces", 0.0);
-  PieceReport report;
-  const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
-  p.covered_area_m2 = report.covered_area_m2;
-  stopwatch.end_of("pieces");
-  report_progress(progress, "cells", 0.1);
   std::vector<Leak> leaks;
-  p.cells = build_cells(pieces, config.cells, leaks);
-  warn_of_leaks(leaks, warnings);
-  std::vector<CellPiece> cell_pieces;
-  for (const Piece& piece : pieces) {
-    const std::vector<CellPiece> parts = p.cells.cut(piece);
-    cell_pieces.insert(cell_pieces.end(), parts.begin(), parts.end());
-  }
-  stopwatch.end_of("cells");
-  report_progress(progress, "clusters", 0.4);
-  cell_pieces = cut_unreachable_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.sealed);
-  report_progress(progress, "clusters", 0.5);
-  p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
-  find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
-  stopwatch.end_of("clusters");
-  report_progress(progress, "visibility", 0.6);
-  p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);
-  stopwatch.end_of("visibility");
-
+  Prepared p = prepare_scene(scene, config, warnings, leaks, progress);
   // Everything is computed before anything is written: a bad scene leaves no half-made RUN.
   claim_run_directory(run_directory);
   remove_directory(run_directory + "/common");
   remove_directory(run_directory + "/local");
   remove_directory(run_directory + "/costs");
-  keep_scene(p.scene, run_directory + "/scene.json");
-  merge_equal_bands(p.scene);
+  keep_scene(scene, run_directory + "/scene.json");
   keep(to_bytes(p.cells), run_directory + "/cells.bin");
   keep(to_bytes(std::span<const Cluster>(p.clusters)), run_directory + "/clusters.bin");
   write_leaks(run_directory, leaks);
   write_graph(p.graph, run_directory + "/graph.txt");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  p.warnings = warnings;
   write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.covered_area_m2,
                                  p.prepare_s, p.steps, p.warnings});
   report_progress(progress, "visibility", 1.0);

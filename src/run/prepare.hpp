@@ -1,4 +1,4 @@
-// From a scene to a RUN directory: pieces, cells, clusters, G_cluster (§3.2). One rank's work.
+// A prepared scene in a RUN directory: made, kept and loaded again. One rank's work.
 #pragma once
 
 #include <cstdint>
@@ -6,36 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
-#include "base/warnings.hpp"
-#include "cells/partition/cell_complex.hpp"
-#include "clusters/cluster.hpp"
-#include "clusters/unreachable_parts.hpp"
-#include "run/run_mark.hpp"
-#include "scene/scene.hpp"
-#include "visibility/cluster_graph.hpp"
+#include "preparation/preparation.hpp"
 
 namespace enfilade {
-
-struct PrepareConfig {
-  CellComplex::Config cells;
-  UnreachableConfig sealed;
-  ClusterConfig clusters;
-  ContactConfig contacts;
-  VisibilityConfig visibility;
-};
-
-/// What every rank holds of a RUN: all but the light.
-struct Prepared {
-  Scene scene;
-  CellComplex cells;
-  std::vector<Cluster> clusters;
-  ClusterGraph graph;
-  double prepare_s = 0.0;          ///< wall seconds that the preparation took
-  std::vector<PrepareStep> steps;  ///< pieces, cells, clusters, visibility
-  double covered_area_m2 = 0.0;    ///< of surfaces covered by coplanar ones
-  Warnings warnings;               ///< what the scene gave rise to
-};
 
 /// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and
 /// drops whatever solution it held. Nothing is written where the scene is bad, nor into a directory

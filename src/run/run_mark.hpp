@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "base/warnings.hpp"
+#include "preparation/preparation.hpp"
 
 namespace enfilade {
-
-/// What one step of the preparation took.
-struct PrepareStep {
-  std::string name;
-  double wall_s = 0.0;
-  std::uint64_t peak_rss_bytes = 0;  ///< of the process, from its start to the step's end
-};
 
 struct RunMark {
   bool prepared = false;  ///< false: it is being prepared, or was left so, or is damaged

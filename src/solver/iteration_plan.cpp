@@ -1,4 +1,5 @@
-// The schedule of link tolerances, and when to stop: pure functions of what the iterations brought.
+// The schedule of link tolerances, and when a solve ends: a state machine that is a pure function
+// of what the iterations so far brought.
 #include "solver/iteration_plan.hpp"
 
 #include <algorithm>
@@ -9,30 +10,34 @@
 namespace enfilade {
 namespace {
 
-/// How the sum of the links' errors falls with their tolerance, measured: about its cube root.
-constexpr double tolerance_order = 3.0;
-
-double first_epsilon(const PlanConfig& config) {
-  return config.epsilon > 0.0 ? config.epsilon : 2.5e-3 * config.target_error;
-}
-double tolerance_of(const PlanConfig& config) {
-  return config.tolerance > 0.0 ? config.tolerance : 0.02 * config.target_error;
-}
 double worst_band(const Spectrum& power) {
   return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
 }
+
 double relative(double power, double received) {
   if (power == 0.0) return 0.0;
   return received > 0.0 ? power / received : 1.0;
 }
 
-/// What noise there is gets measured; it only must not drown the asked error.
-int rays_of_a_sample(const PlanConfig& config) {
-  return static_cast<int>(std::clamp(4.0 / config.target_error, 64.0, 1024.0));
+double first_epsilon(const PlanConfig& config) {
+  return config.epsilon > 0.0 ? config.epsilon
+                              : config.weights.first_epsilon_share * config.target_error;
 }
 
-/// The links that there are now have been sampled.
-bool sampled(std::span<const IterationSummary> history) {
+/// Iterations end below this bound of what later ones may still change.
+double iteration_tolerance(const PlanConfig& config) {
+  return config.tolerance > 0.0 ? config.tolerance
+                                : config.weights.iteration_share * config.target_error;
+}
+
+int rays_of_a_sample(const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
+  return static_cast<int>(std::clamp(w.sample_rays_times_target / config.target_error,
+                                     w.least_sample_rays, w.most_sample_rays));
+}
+
+/// Errors were sampled after the last iteration that refined a link.
+bool links_were_sampled(std::span<const IterationSummary> history) {
   for (std::size_t i = history.size(); i-- > 0;) {
     if (history[i].plan.sample) return true;
     if (history[i].sums.work.links_refined > 0) return false;
@@ -40,39 +45,113 @@ bool sampled(std::span<const IterationSummary> history) {
   return false;
 }
 
-/// A finer tolerance that found nothing to refine will not find more when it is finer still.
-bool nothing_finer(std::span<const IterationSummary> history) {
-  const IterationSummary* finer = nullptr;  // the last refining one
+/// The last refining iteration had a finer tolerance than the one before, and refined no link: a
+/// still finer tolerance would find none either.
+bool nothing_left_to_refine(std::span<const IterationSummary> history) {
+  const IterationSummary* last_refining = nullptr;
   for (std::size_t i = history.size(); i-- > 0;) {
     if (!history[i].plan.refine) continue;
-    if (finer == nullptr) {
-      finer = &history[i];
-      if (finer->sums.work.links_refined > 0) return false;
+    if (last_refining == nullptr) {
+      last_refining = &history[i];
+      if (last_refining->sums.work.links_refined > 0) return false;
     } else {
-      return finer->plan.link_tolerance < history[i].plan.link_tolerance;
+      return last_refining->plan.link_tolerance < history[i].plan.link_tolerance;
     }
   }
   return false;
 }
 
-/// What the links are wrong by. What is gathered from the patches shall be as good as asked, and
-/// what is read off them too (`patches`), where that does not take too many links.
-double links_error(const ErrorEstimate& error, bool patches) {
-  return std::max(patches ? error.patches : 0.0, error.total()) - error.iteration;
+/// What the links contribute to the error of gathered light, or to that of the patches where these
+/// are held to the target too and are worse.
+double links_error(const ErrorEstimate& error, bool with_patches) {
+  return std::max(with_patches ? error.patches : 0.0, error.total()) - error.iteration;
 }
 
-/// Much finer links brought the error down by less than half as fast as they should have: what is
-/// wrong does not come from the links.
-bool no_better(std::span<const IterationSummary> history, bool patches) {
+/// Much finer links brought the error down by less than half as fast as their order promises: the
+/// rest of the error does not come from the links.
+bool refinement_stagnates(std::span<const IterationSummary> history, bool with_patches,
+                          const PlanWeights& w) {
   const IterationSummary& now = history.back();
   for (std::size_t i = history.size() - 1; i-- > 0;) {
     const IterationSummary& then = history[i];
     const double finer = now.plan.link_tolerance / then.plan.link_tolerance;
-    if (!then.plan.sample || !(finer <= 1.0 / 8.0)) continue;
-    return links_error(now.error, patches) >
-           std::pow(finer, 0.5 / tolerance_order) * links_error(then.error, patches);
+    if (!then.plan.sample || !(finer <= w.much_finer)) continue;
+    return links_error(now.error, with_patches) >
+           std::pow(finer, w.stagnation_share / w.tolerance_order) *
+               links_error(then.error, with_patches);
   }
   return false;
+}
+
+/// What the last iteration shows, as the transitions ask for it.
+struct Observation {
+  bool light_is_everywhere = false;  ///< changes are small beside what arrives
+  bool few_links_refined = false;
+  bool rows_as_before = false;        ///< their closure has not begun just now
+  bool correction_as_before = false;  ///< the flux correction has not changed just now
+  bool links_rest() const {
+    return light_is_everywhere && few_links_refined && rows_as_before && correction_as_before;
+  }
+  bool iterations_converged = false;
+  bool good_enough_to_sample = false;  ///< as far as the iterations go
+  double links_error = 0.0;
+};
+
+/// The states of a solve, each named after what its next iteration does.
+enum class State {
+  distribute,     ///< light has not been everywhere yet: refine, and scale the tolerance with it
+  refine_links,   ///< links of today's tolerance are refined at today's light
+  converge,       ///< links rest; gathers, the closure of rows and the flux correction converge
+  sample_errors,  ///< gather anew at sampled points
+  tighten_tolerance,  ///< links are too coarse for the asked error: refine with a finer tolerance
+  finish,
+  give_up,  ///< out of iterations
+};
+
+State next_state(std::span<const IterationSummary> history, const Observation& seen,
+                 const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
+  if (history.back().plan.iteration >= config.max_iterations) return State::give_up;
+  if (seen.links_rest() && seen.good_enough_to_sample && !links_were_sampled(history))
+    return State::sample_errors;
+  if (seen.links_rest() && seen.iterations_converged) {
+    const bool too_coarse = seen.links_error > w.fine_share * config.target_error;
+    const bool can_be_finer = config.epsilon <= 0.0 && !nothing_left_to_refine(history) &&
+                              !refinement_stagnates(history, false, w);
+    return too_coarse && can_be_finer ? State::tighten_tolerance : State::finish;
+  }
+  if (!seen.light_is_everywhere) return State::distribute;
+  return seen.few_links_refined ? State::converge : State::refine_links;
+}
+
+/// The error falls with a power of the tolerance; the step is bounded both ways.
+double tightened(double tolerance, double error, const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
+  const double factor = std::pow(w.aim_share * config.target_error / error, w.tolerance_order);
+  return tolerance * std::clamp(factor, w.most_tightening, w.least_tightening);
+}
+
+Observation observe(std::span<const IterationSummary> history, const IterationPlan& plan,
+                    const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
+  const IterationSummary& last = history.back();
+  Observation seen;
+  seen.light_is_everywhere =
+      relative(last.sums.change_power, last.sums.received_power) < w.settled_change;
+  seen.few_links_refined =
+      static_cast<double>(last.sums.work.links_refined) * w.links_per_refined <=
+      static_cast<double>(last.sums.links);
+  seen.rows_as_before = last.plan.close_rows == plan.close_rows;
+  seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
+  const double bound = last.error.iteration_bound;
+  seen.iterations_converged = bound <= iteration_tolerance(config);
+  // What the links are wrong by shows before the light has come to rest.
+  seen.good_enough_to_sample =
+      bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
+  const bool hold_patches = (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
+                            !refinement_stagnates(history, true, w);
+  seen.links_error = links_error(last.error, hold_patches);
+  return seen;
 }
 
 }  // namespace
@@ -90,49 +169,46 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   plan.iteration = last.plan.iteration + 1;
   plan.finished = plan.converged = plan.sample = false;
   plan.received_power = last.sums.received_power;
-  // Light has been everywhere once the change falls below what arrives.
-  const double change = relative(last.sums.change_power, last.sums.received_power);
-  const bool settled = change < 0.1;
-  // Once closed they stay so: closing moves the light as well, and opening them again would move it
-  // back for ever.
-  plan.close_rows = settled || last.plan.close_rows;
-  // Where little is absorbed, much more light arrives than is emitted, and the error is relative to
-  // it.
-  if (!settled && config.epsilon <= 0.0) {
+  const bool light_is_everywhere =
+      relative(last.sums.change_power, last.sums.received_power) < config.weights.settled_change;
+  // Once closed, rows stay so: closure moves the light as well, and opening them again would move
+  // it back for ever.
+  plan.close_rows = light_is_everywhere || last.plan.close_rows;
+  plan.flux_correction = flux_correction(last, config.surfaces_power,
+                                         config.weights.iteration_share * config.target_error);
+  const Observation seen = observe(history, plan, config);
+  // Where little is absorbed, much more light arrives than is emitted, and errors are relative to
+  // what arrives.
+  if (!seen.light_is_everywhere && config.epsilon <= 0.0) {
     plan.link_tolerance =
         first_epsilon(config) *
         std::max(worst_band(config.emitted_power), last.sums.received_power + last.missing_power);
   }
-  // Refining again what was not touched last time finds nothing new, as long as the light hardly
-  // changes.
-  const bool few_refined = last.sums.work.links_refined * 1000 <= last.sums.links;
-  const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
-  plan.refine = !(settled && few_refined);
-  plan.flux_correction = flux_correction(last, config.surfaces_power, 0.02 * config.target_error);
-  const bool all_done = links_done && plan.flux_correction == last.plan.flux_correction;
-  const bool quiet = all_done && last.error.iteration_bound <= tolerance_of(config);
-  // What the links are wrong by shows before the light has come to rest.
-  const bool calm = all_done && last.error.iteration_bound <=
-                                    std::max(tolerance_of(config), 0.02 * config.target_error);
-  const bool patches = (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
-                       !no_better(history, true);
-  const double error = links_error(last.error, patches);
-  const bool fine = error <= 0.9 * config.target_error;
-  const bool out_of_iterations = last.plan.iteration >= config.max_iterations;
-  if (out_of_iterations) {
-    plan.finished = true;
-    plan.converged = quiet && fine && sampled(history);
-  } else if (calm && !sampled(history)) {
-    plan.sample = true;
-    plan.sample_rays = rays_of_a_sample(config);
-  } else if (quiet && !fine && config.epsilon <= 0.0 && !nothing_finer(history) &&
-             !no_better(history, false)) {
-    const double factor = std::pow(0.8 * config.target_error / error, tolerance_order);
-    plan.link_tolerance *= std::clamp(factor, 1.0 / 32.0, 0.7);
-    plan.refine = true;
-  } else if (quiet) {
-    plan.finished = true;
-    plan.converged = error <= config.target_error || config.epsilon > 0.0;
+  // Links that were not refined last time are fine at today's light too, as it hardly changes.
+  plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);
+  switch (next_state(history, seen, config)) {
+    case State::distribute:
+    case State::refine_links:
+    case State::converge:
+      break;
+    case State::sample_errors:
+      plan.sample = true;
+      plan.sample_rays = rays_of_a_sample(config);
+      break;
+    case State::tighten_tolerance:
+      plan.link_tolerance = tightened(plan.link_tolerance, seen.links_error, config);
+      plan.refine = true;
+      break;
+    case State::finish:
+      plan.finished = true;
+      plan.converged = seen.links_error <= config.target_error || config.epsilon > 0.0;
+      break;
+    case State::give_up:
+      plan.finished = true;
+      plan.converged = seen.links_rest() && seen.iterations_converged &&
+                       seen.links_error <= config.weights.fine_share * config.target_error &&
+                       links_were_sampled(history);
+      break;
   }
   return plan;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,37 @@ struct IterationSummary {
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated
 };
 
+/// Called after every iteration.
+using IterationObserver = std::function<void(const IterationSummary&)>;
+
+/// The numbers that decide in next_plan(). Measured ones come from sweeps over dense rooms and
+/// houses (bench/accuracy.md); the others are choices, with their reason.
+struct PlanWeights {
+  /// First link tolerance over emitted power, as a share of the target error. Coarse on purpose:
+  /// what is too coarse is found by sampling, what is too fine is never taken back.
+  double first_epsilon_share = 2.5e-3;
+  /// Share of the target error that is left to the iterations; also the floor of the flux
+  /// correction.
+  double iteration_share = 0.02;
+  /// Light has been everywhere once an iteration changes it by less than this share.
+  double settled_change = 0.1;
+  /// Links rest where no more than one in so many was refined in an iteration.
+  double links_per_refined = 1000.0;
+  /// The sum of the links' errors falls with their tolerance to the power of 1 / tolerance_order
+  /// (measured).
+  double tolerance_order = 3.0;
+  /// Links are fine enough below this share of the target; a finer tolerance aims at aim_share.
+  double fine_share = 0.9, aim_share = 0.8;
+  /// Bounds of the factor by which one step tightens the tolerance.
+  double most_tightening = 1.0 / 32.0, least_tightening = 0.7;
+  /// Refinement stagnates where a tolerance finer by much_finer brought less than stagnation_share
+  /// of the order that is expected.
+  double much_finer = 1.0 / 8.0, stagnation_share = 0.5;
+  /// Rays of a sampled point: sample_rays_times_target / target_error, within these limits. Noise
+  /// is measured and taken off; it only must not drown the asked error.
+  double sample_rays_times_target = 4.0, least_sample_rays = 64.0, most_sample_rays = 1024.0;
+};
+
 struct PlanConfig {
   Spectrum emitted_power;
   Spectrum surfaces_power;  ///< what of that surfaces send out (energy_conservation.hpp)
@@ -51,6 +83,7 @@ struct PlanConfig {
   std::uint64_t patch_links =
       0;  ///< with more links than this only gathered light is held to it; 0 = never
   int max_iterations = 200;
+  PlanWeights weights{};
 };
 
 /// Plan of iteration 1.

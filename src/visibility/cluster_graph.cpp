@@ -28,6 +28,13 @@ ClusterGraph::ClusterGraph(std::size_t clusters,
   for (const auto& [a, b] : pairs) targets_[next[a]++] = b;
 }
 
+std::vector<ClusterId> ClusterGraph::visible_to(ClusterId receiver) const {
+  const auto others = neighbours(receiver.index());
+  std::vector<ClusterId> visible(others.begin(), others.end());
+  visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
+  return visible;
+}
+
 bool ClusterGraph::has_edge(std::size_t i, std::size_t j) const {
   const auto row = neighbours(i);
   return std::binary_search(row.begin(), row.end(), static_cast<std::uint32_t>(j));

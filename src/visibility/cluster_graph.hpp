@@ -28,6 +28,8 @@ class ClusterGraph {
     return {targets_.data() + offsets_[i], targets_.data() + offsets_[i + 1]};
   }
   bool has_edge(std::size_t i, std::size_t j) const;
+  /// The clusters whose light may reach this one, itself among them, in ascending order.
+  std::vector<ClusterId> visible_to(ClusterId receiver) const;
 
  private:
   std::vector<std::size_t> offsets_;

@@ -1,88 +1,17 @@
-// The whole solve on a furnace: every surface sends out (1 - reflectance) H, so that E = B = H
-// everywhere. Two rooms joined by a door, a crate in one of them.
-#include <filesystem>
+// The whole solve: on a furnace, whose light is known; and every scheme against the sequential
+// solver.
+#include <algorithm>
 #include <iostream>
 
 #include "check.hpp"
+#include "rooms.hpp"
 #include "run/manifest.hpp"
-#include "run/prepare.hpp"
 #include "run/solution.hpp"
-#include "scene_file/scene_io.hpp"
-#include "schemes/protocol/prepare_on_root.hpp"
 #include "schemes/replay/replay.hpp"
 #include "schemes/solve/solve.hpp"
+#include "solver/sequential_solver.hpp"
 
 namespace enfilade::spmd_tests {
-namespace {
-
-constexpr double reflectance = 0.5, level = 3.0;
-
-void add_quad(Scene& scene, const std::string& object, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  Surface s;
-  s.vertices = {a, b, c, d};
-  s.reflectance = {reflectance};
-  s.exitance = {(1.0 - reflectance) * level};
-  s.object = object;
-  scene.surfaces.push_back(s);
-}
-
-/// The six sides of a box, facing in or out.
-void add_box(Scene& scene, const std::string& object, Vec3 lo, Vec3 hi, bool inwards) {
-  const auto side = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    inwards ? add_quad(scene, object, a, b, c, d) : add_quad(scene, object, d, c, b, a);
-  };
-  const auto at = [&](int x, int y, int z) {
-    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
-  };
-  side(at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0));
-  side(at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1));
-  side(at(0, 0, 0), at(0, 0, 1), at(1, 0, 1), at(1, 0, 0));
-  side(at(0, 1, 0), at(1, 1, 0), at(1, 1, 1), at(0, 1, 1));
-  side(at(0, 0, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1));
-  side(at(1, 0, 0), at(1, 0, 1), at(1, 1, 1), at(1, 1, 0));
-}
-
-/// A wall with a door, seen from both rooms: two jambs and a lintel, 0.2 m thick.
-Scene furnace() {
-  Scene scene;
-  add_box(scene, "house", {0, 0, 0}, {8.2, 4, 2.5}, true);
-  add_box(scene, "jamb 1", {4, 0, 0}, {4.2, 1.5, 2.5}, false);
-  add_box(scene, "jamb 2", {4, 2.5, 0}, {4.2, 4, 2.5}, false);
-  add_box(scene, "lintel", {4, 1.5, 2.0}, {4.2, 2.5, 2.5}, false);
-  add_box(scene, "crate", {1, 1, 0.3}, {1.7, 2.2, 1.1}, false);
-  return scene;
-}
-
-/// The furnace, prepared in RUN; with --resume, what is there stays.
-Prepared prepared_furnace(Context& context, const std::string& run) {
-  const std::string scene_file = context.directory + "/furnace.json";
-  context.communicator.barrier();  // a solve before has left its local directories on every rank
-  context.communicator.on_root([&] {
-    if (!context.resume) std::filesystem::remove_all(run);
-    write_scene(furnace(), scene_file);
-  });
-  Warnings warnings;
-  return prepare_on_root(
-      context.communicator,
-      [&scene_file](Warnings& found) { return read_scene(scene_file, found); }, run, {}, warnings);
-}
-
-/// Mean radiosity of each cluster; on rank 0.
-std::vector<double> radiosities(const std::string& run) {
-  std::vector<double> means;
-  for (const ClusterState& state : read_solution(run)) {
-    double power = 0.0, area = 0.0;
-    for (std::size_t i = 0; i < state.patches().polygons(); ++i) {
-      power += state.patches().node(i).shape.area_m2 * state.patches().radiosity(i)[0];
-      area += state.patches().node(i).shape.area_m2;
-    }
-    means.push_back(power / area);
-  }
-  return means;
-}
-
-}  // namespace
-
 namespace {
 
 /// How far the light in RUN is off, as a share.
@@ -102,7 +31,7 @@ double error_of(const std::string& run) {
 /// Solves the furnace as `config` has it; the record on rank 0.
 RunRecord solve_furnace(Context& context, SolveConfig config) {
   const std::string run = context.directory + "/RUN";
-  const Prepared prepared = prepared_furnace(context, run);
+  const Prepared prepared = prepared_in(context, run, furnace());
   config.run_directory = run;
   config.target_error = 0.05;
   config.resume = context.resume;
@@ -201,18 +130,18 @@ void solve_in_little_memory(Context& context) {
   // more reading.
   Communicator& c = context.communicator;
   const std::string run = context.directory + "/RUN";
-  const Prepared prepared = prepared_furnace(context, run);
+  const Prepared prepared = prepared_in(context, run, furnace());
   SolveConfig config;
   config.run_directory = run;
   config.target_error = 0.05;
   const RunRecord rich = solve(config, prepared, c, context.machine);
   std::vector<double> expected;
-  c.on_root([&] { expected = radiosities(run); });
+  c.on_root([&] { expected = mean_radiosities(read_solution(run)); });
   config.memory_bytes = std::stoull(
       c.broadcast(std::to_string(std::llround(rich.number("peak_cluster_bytes", 0.0) / 4.0))));
   const RunRecord poor = solve(config, prepared, c, context.machine);
   c.on_root([&] {
-    const std::vector<double> got = radiosities(run);
+    const std::vector<double> got = mean_radiosities(read_solution(run));
     for (std::size_t i = 0; i < got.size(); ++i) {
       const double tolerance = c.size() == 1 ? 0.0 : 0.02 * level;
       SPMD_CHECK(std::abs(got[i] - expected[i]) <= tolerance, std::to_string(got[i] - expected[i]));
@@ -227,13 +156,52 @@ void solve_in_little_memory(Context& context) {
   });
 }
 
+/// By Jacobi's method the light does not depend on who gathers when: each scheme gives the
+/// sequential solver's light to rounding, in as many iterations and with as many links.
+void schemes_give_the_sequential_light(Context& context) {
+  const std::string run = context.directory + "/RUN";
+  const Prepared prepared = prepared_in(context, run, lit_rooms());
+  SolverConfig sequential;
+  sequential.target_error = 0.05;
+  sequential.method.jacobi = true;
+  Solution expected;
+  context.communicator.on_root(
+      [&] { expected = solve_sequentially(prepared, Occluders(prepared.clusters), sequential); });
+  for (const Scheme scheme : {Scheme::spmd, Scheme::master_slave, Scheme::replicated}) {
+    SolveConfig config;
+    config.run_directory = run;
+    config.target_error = sequential.target_error;
+    config.jacobi = true;
+    config.scheme = scheme;
+    const RunRecord record = solve(config, prepared, context.communicator, context.machine);
+    context.communicator.on_root([&] {
+      const auto want = mean_radiosities(expected.clusters);
+      const auto got = mean_radiosities(read_solution(run));
+      double brightest = 0.0;
+      for (const double b : want) brightest = std::max(brightest, b);
+      for (std::size_t i = 0; i < want.size(); ++i) {
+        SPMD_CHECK(std::abs(got[i] - want[i]) <= 1e-9 * brightest,
+                   std::string(name_of(scheme)) + ", cluster " + std::to_string(i) + ": " +
+                       std::to_string(got[i]) + " for " + std::to_string(want[i]));
+      }
+      const auto& last = expected.history.back();
+      SPMD_CHECK(record.number("iterations", 0) == static_cast<double>(expected.history.size()),
+                 std::to_string(expected.history.size()));
+      SPMD_CHECK(record.number("links", 0) == static_cast<double>(last.sums.links),
+                 std::to_string(last.sums.links));
+      SPMD_CHECK(std::abs(record.number("estimated_error", 0) - last.error.total()) < 1e-9,
+                 std::to_string(last.error.total()));
+    });
+  }
+}
+
 /// A replay goes through the same moves as the run that it was recorded from, with the coarse
 /// correction and without. Where memory is short, what a cluster took while it was refined is not
 /// recorded, so that other clusters may be evicted: near, and not the same.
 void replay_rooms(Context& context) {
   for (const bool little : {false, true}) {
     const std::string run = context.directory + (little ? "/LITTLE" : "/RUN");
-    const Prepared prepared = prepared_furnace(context, run);
+    const Prepared prepared = prepared_in(context, run, furnace());
     SolveConfig config;
     config.run_directory = run;
     config.target_error = 0.1;

@@ -6,18 +6,9 @@
 
 #include "base/ids.hpp"
 #include "machine/machine.hpp"
-#include "solver/iteration_plan.hpp"
+#include "solver/iteration_end.hpp"
 
 namespace enfilade {
-
-/// What the coarse system adds to the light of every cluster before the next iteration.
-struct Correction {
-  std::vector<double> changes;  ///< as the ClusterWork understands them; empty = none
-  double missing_power =
-      0.0;  ///< how much that is: an estimate of what the iterations still lacked
-  /// Per band: what it adds to IterationFigures::absorbed_power and escaping_power.
-  Spectrum absorbed_power, escaping_power;
-};
 
 class ClusterWork {
  public:

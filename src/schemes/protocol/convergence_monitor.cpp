@@ -4,7 +4,7 @@ namespace enfilade {
 
 ConvergenceMonitor::ConvergenceMonitor(ClusterWork& work, Machine& machine, bool coarse_correction,
                                        std::vector<IterationSummary>& history,
-                                       const PlanNext& plan_next, const SummaryObserver& observer)
+                                       const PlanNext& plan_next, const IterationObserver& observer)
     : work_(work),
       machine_(machine),
       coarse_correction_(coarse_correction),
@@ -14,18 +14,10 @@ ConvergenceMonitor::ConvergenceMonitor(ClusterWork& work, Machine& machine, bool
       start_s_(machine.now_s()) {}
 
 Decision ConvergenceMonitor::decide(const IterationPlan& plan, const Token& token) {
-  IterationSummary summary;
-  summary.plan = plan;
-  summary.sums = figures_from(token.maxima, token.sums);
-  summary.time_s = machine_.now_s() - start_s_;
   const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
-  summary.corrected = coarse_correction_;
-  summary.missing_power = correction.missing_power;
-  for (std::size_t b = 0; b < correction.absorbed_power.size(); ++b) {
-    summary.sums.absorbed_power[b] += correction.absorbed_power[b];
-    summary.sums.escaping_power[b] += correction.escaping_power[b];
-  }
-  history_.push_back(summary);
+  history_.push_back(summary_of(plan, figures_from(token.maxima, token.sums),
+                                coarse_correction_ ? &correction : nullptr,
+                                machine_.now_s() - start_s_));
   const IterationPlan next = plan_next_(history_);
   work_.commit(history_, correction.changes, next.finished);
   if (observer_) observer_(history_.back());

@@ -14,15 +14,13 @@ namespace enfilade {
 /// With the sums of all ranks of an iteration as the last of `history`: sets its error, and says
 /// what follows.
 using PlanNext = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
-/// After each committed iteration.
-using SummaryObserver = std::function<void(const IterationSummary&)>;
 
 class ConvergenceMonitor {
  public:
   /// All must outlive it. `history` holds what came before, and grows here.
   ConvergenceMonitor(ClusterWork& work, Machine& machine, bool coarse_correction,
                      std::vector<IterationSummary>& history, const PlanNext& plan_next,
-                     const SummaryObserver& observer);
+                     const IterationObserver& observer);
   /// `token`: everybody's numbers, once every rank is idle and has moved its files.
   Decision decide(const IterationPlan& plan, const Token& token);
 
@@ -32,7 +30,7 @@ class ConvergenceMonitor {
   bool coarse_correction_;
   std::vector<IterationSummary>& history_;
   const PlanNext& plan_next_;
-  const SummaryObserver& observer_;
+  const IterationObserver& observer_;
   double start_s_;
 };
 

@@ -53,13 +53,13 @@ std::vector<std::string> files_of(const fs::path& directory) {
 /// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
 template <class Take>
 void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
-                    IterationMethod& light, Take take) {
+                    IterationMethod& method, Take take) {
   std::vector<bool> seen(clusters, false);
   for (const std::string& path : files_of(run_directory + "/costs/" + std::to_string(iteration))) {
     const std::vector<std::byte> bytes = read_file(path);
     ByteReader r(bytes, path);
     r.expect(mark);
-    light = r.get<IterationMethod>();
+    method = r.get<IterationMethod>();
     for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
       const ClusterId cluster = take(r);
       if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");
@@ -96,7 +96,7 @@ void CostRecorder::add_start(const ClusterState& state) {
 void CostRecorder::write(int iteration) {
   ByteWriter w;
   w.put_mark(mark);
-  w.put(light_);
+  w.put(method_);
   if (iteration == 0) {
     w.put(static_cast<std::uint64_t>(start_.size()));
     for (const auto& [cluster, weight] : start_) {
@@ -130,7 +130,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
   recording.history = history_of(manifest);
   recording.basis = manifest->basis;
   recording.start.resize(clusters);
-  read_iteration(run_directory, 0, clusters, recording.light, [&](ByteReader& r) {
+  read_iteration(run_directory, 0, clusters, recording.method, [&](ByteReader& r) {
     const auto id = r.get<ClusterId>();
     const auto weight = r.get<ClusterWeight>();
     if (id.index() < clusters) recording.start[id.index()] = weight;
@@ -138,7 +138,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
   });
   for (int k = 1; k <= manifest->iteration; ++k) {
     auto& gathers = recording.gathers.emplace_back(clusters);
-    read_iteration(run_directory, k, clusters, recording.light, [&](ByteReader& r) {
+    read_iteration(run_directory, k, clusters, recording.method, [&](ByteReader& r) {
       GatherCost cost = get_cost(r);
       const ClusterId id = cost.cluster;
       if (id.index() < clusters) gathers[id.index()] = std::move(cost);

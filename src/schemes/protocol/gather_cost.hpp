@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coarse/coarse_correction.hpp"
-#include "solver/iteration_plan.hpp"
+#include "solver/iteration_method.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
@@ -22,31 +22,13 @@ struct GatherCost {
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
 };
 
-/// Whose light a gather takes: what the recorded iterations are true for.
-struct IterationMethod {
-  bool coarse_correction = true;
-  bool jacobi = false;
-
-  /// Zones serve the coarse correction alone.
-  CoarseUnknowns unknowns(std::span<const Cluster> clusters) const {
-    return coarse_correction ? coarse_unknowns(clusters) : coarse_unknowns(clusters, 1);
-  }
-  /// The light as committed, rather than a rank's newest as in the paper. What is refined must not
-  /// depend on the ranks' number and speeds; light then spreads as with Jacobi, which the coarse
-  /// correction makes up for. And where that has several unknowns a cluster, all must have been
-  /// seen by the same receivers, else how their light was shared out would pass for power.
-  bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
-    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
-  }
-};
-
 /// A run that can be replayed.
 struct Recording {
   std::vector<ClusterWeight> start;              ///< by cluster, before the first iteration
   std::vector<std::vector<GatherCost>> gathers;  ///< [iteration - 1][cluster]
   std::vector<IterationSummary> history;         ///< what the iterations came to
   std::size_t bands = 1;
-  IterationMethod light;
+  IterationMethod method;
   Basis basis = Basis::linear;
 
   /// What a cluster's sections weigh once iteration `iteration` is over; 0 = at the start.
@@ -56,8 +38,8 @@ struct Recording {
 /// Takes down one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
-  CostRecorder(std::string run_directory, Rank rank, IterationMethod light)
-      : directory_(run_directory + "/costs/"), rank_(rank), light_(light) {}
+  CostRecorder(std::string run_directory, Rank rank, IterationMethod method)
+      : directory_(run_directory + "/costs/"), rank_(rank), method_(method) {}
 
   /// A cluster before the first iteration.
   void add_start(const ClusterState& state);
@@ -68,7 +50,7 @@ class CostRecorder {
  private:
   std::string directory_;
   Rank rank_;
-  IterationMethod light_;
+  IterationMethod method_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
   std::vector<GatherCost> gathers_;
 };

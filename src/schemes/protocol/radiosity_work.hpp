@@ -10,20 +10,17 @@
 #include "run/prepare.hpp"
 #include "schemes/protocol/cluster_work.hpp"
 #include "schemes/protocol/gather_cost.hpp"
+#include "solver/gather_plan.hpp"
 #include "store/cluster_files.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
 
 struct RadiosityWorkConfig {
-  Basis basis = Basis::linear;
-  int max_depth = 20;
-  double min_area_m2 = 0.0;
+  GatherSettings gather;
+  IterationMethod method;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
-  IterationMethod light;
   MemoryManager memory_manager = MemoryManager::own;
-  OracleKind oracle = OracleKind::error;
-  VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
 class RadiosityWork final : public ClusterWork {
@@ -54,10 +51,6 @@ class RadiosityWork final : public ClusterWork {
   const CoarseUnknowns& unknowns() const { return unknowns_; }
 
  private:
-  ErrorSampleConfig sampling(const IterationPlan& plan) const;
-  /// In ascending order, itself among them.
-  std::vector<ClusterId> visible_to(ClusterId receiver) const;
-
   const Prepared& prepared_;
   const RunLayout& layout_;
   ClusterFiles& files_;

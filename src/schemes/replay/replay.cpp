@@ -15,7 +15,7 @@ ReplayShared load(const std::string& recorded) {
   ReplayShared shared;
   shared.prepared = load_prepared(recorded);
   shared.recording = read_recording(recorded, shared.prepared.clusters.size());
-  shared.unknowns = shared.recording.light.unknowns(shared.prepared.clusters);
+  shared.unknowns = shared.recording.method.unknowns(shared.prepared.clusters);
   for (const auto& gathers : shared.recording.gathers) {
     for (const GatherCost& cost : gathers) {
       for (const std::uint32_t place : cost.coupled) {
@@ -79,7 +79,7 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
   };
   const IterationRun iterate = [&](std::vector<IterationSummary>& history) {
     return run_spmd(
-        work, tasks, communicator, machine, {config.steal, recording.light.coarse_correction},
+        work, tasks, communicator, machine, {config.steal, recording.method.coarse_correction},
         plan_of(0), {}, history,
         [&](std::vector<IterationSummary>& so_far) { return plan_of(so_far.size()); }, observer);
   };

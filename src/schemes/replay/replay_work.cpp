@@ -63,16 +63,14 @@ void ReplayWork::initialise(std::span<const ClusterId> own) {
 void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
   store_.set_committed(plan.iteration - 1);
-  if (shared_->recording.light.coarse_correction)
+  if (shared_->recording.method.coarse_correction)
     coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
   resident_.set_correction({});
-  resident_.set_jacobi(shared_->recording.light.uses_jacobi(plan, shared_->unknowns));
+  resident_.set_jacobi(shared_->recording.method.uses_jacobi(plan, shared_->unknowns));
 }
 
 IterationFigures ReplayWork::gather(ClusterId receiver) {
-  const auto neighbours = shared_->prepared.graph.neighbours(receiver.index());
-  std::vector<ClusterId> visible(neighbours.begin(), neighbours.end());
-  visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
+  const std::vector<ClusterId> visible = shared_->prepared.graph.visible_to(receiver);
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
   const GatherCost& cost = shared_->recording.gathers[iteration][receiver.index()];
 
@@ -82,7 +80,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   }
   spend(machine_, cost.sums.work);
   state.become(cost.patches, cost.links);
-  if (shared_->recording.light.coarse_correction) {
+  if (shared_->recording.method.coarse_correction) {
     const CoarseUnknowns& unknowns = shared_->unknowns;
     const auto count = static_cast<std::uint32_t>(unknowns.count);
     for (const std::uint32_t place : cost.coupled) {

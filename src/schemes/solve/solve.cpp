@@ -5,7 +5,6 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
-#include "occluders/unreachable_polygons.hpp"
 #include "run/history.hpp"
 #include "schemes/master/cell_dealer.hpp"
 #include "schemes/master/dealing.hpp"
@@ -47,15 +46,11 @@ void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
     drop_costs(store.layout().run, -1);
   });
   WorkCount count;
-  const std::vector<char> dark =
-      unreachable_polygons(prepared.scene, prepared.clusters, work.occluders(), count);
+  const InitialClusters initial(prepared.scene, prepared.clusters, work.occluders(),
+                                work.unknowns(), basis, count);
   machine.compute(count);
   for (const ClusterId id : own) {
-    ClusterState state(prepared.clusters[id.index()], prepared.scene, basis,
-                       work.unknowns().aggregates[id.index()]);
-    for (std::uint32_t k = 0; k < state.patches().polygons(); ++k) {
-      if (dark[work.occluders().global(id, k)] != 0) state.patches().mark_unreachable(k);
-    }
+    ClusterState state = initial.make(id);
     store.write_initial(state);
     recorder.add_start(state);
     if (keep) work.adopt(std::move(state));
@@ -134,12 +129,14 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   RemoteFiles remote(communicator, machine);
   const bool slave = has_master(config, communicator) && !communicator.root();
-  const IterationMethod light{config.coarse_correction, config.jacobi};
-  CostRecorder recorder(layout.run, communicator.rank(), light);
-  RadiosityWork work(prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine,
-                     recorder,
-                     {basis, config.max_depth, config.min_area_m2, memory, light,
-                      config.memory_manager, config.oracle, config.visibility});
+  const IterationMethod method{config.coarse_correction, config.jacobi};
+  CostRecorder recorder(layout.run, communicator.rank(), method);
+  RadiosityWork work(
+      prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine, recorder,
+      {{basis, config.max_depth, config.min_area_m2, config.oracle, config.visibility},
+       method,
+       memory,
+       config.memory_manager});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
@@ -161,10 +158,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
     return iterate(
         {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
         manifest ? manifest->correction : std::vector<double>{}, so_far,
-        [&](std::vector<IterationSummary>& done) {
-          done.back().error = estimate_error(done, plan_config.surfaces_power);
-          return next_plan(done, plan_config);
-        },
+        [&](std::vector<IterationSummary>& done) { return end_iteration(done, plan_config); },
         observer);
   };
   RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),

@@ -13,7 +13,7 @@
 #include "machine/machine.hpp"
 #include "run/prepare.hpp"
 #include "schemes/solve/scheme.hpp"
-#include "solver/iteration_plan.hpp"
+#include "solver/sequential_solver.hpp"
 #include "store/simulated_placement.hpp"
 #include "tour/order.hpp"
 
@@ -46,10 +46,8 @@ struct SolveConfig {
   double min_area_m2 = 0.0;
 };
 
-/// Called on rank 0 after every committed iteration.
-using IterationObserver = std::function<void(const IterationSummary&)>;
-
-/// All ranks call it with the same arguments. The record of RUN/stats.json (on rank 0; elsewhere
+/// All ranks call it with the same arguments; rank 0 calls `observer` after every committed
+/// iteration. The record of RUN/stats.json (on rank 0; elsewhere
 /// empty). RUN/ then holds the solution: read_solution() of run/solution.hpp reads it.
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});

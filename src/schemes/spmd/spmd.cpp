@@ -33,7 +33,7 @@ IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& 
 IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
                        Machine& machine, const SpmdConfig& config, IterationPlan plan,
                        std::vector<double> changes, std::vector<IterationSummary>& history,
-                       const PlanNext& plan_next, const SummaryObserver& observer) {
+                       const PlanNext& plan_next, const IterationObserver& observer) {
   ProgressEngine engine(communicator, machine, tasks);
   WorkStealingClient thief(communicator, machine, engine);
   ConvergenceMonitor monitor(work, machine, config.coarse_correction, history, plan_next, observer);

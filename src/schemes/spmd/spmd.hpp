@@ -20,6 +20,6 @@ struct SpmdConfig {
 IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
                        Machine& machine, const SpmdConfig& config, IterationPlan plan,
                        std::vector<double> offsets, std::vector<IterationSummary>& history,
-                       const PlanNext& plan_next, const SummaryObserver& observer = {});
+                       const PlanNext& plan_next, const IterationObserver& observer = {});
 
 }  // namespace enfilade

@@ -1,0 +1,14 @@
+// Where a building is not closed, told to its user.
+#pragma once
+
+#include <vector>
+
+#include "base/warnings.hpp"
+#include "cells/rooms/leaks.hpp"
+
+namespace enfilade {
+
+/// One warning a leak: which cell, where, how wide.
+void warn_of_leaks(const std::vector<Leak>& leaks, Warnings& warnings);
+
+}  // namespace enfilade

@@ -1,0 +1,74 @@
+#include "preparation/preparation.hpp"
+
+#include <chrono>
+
+#include "base/peak_memory.hpp"
+#include "preparation/leak_warnings.hpp"
+#include "scene/equal_bands.hpp"
+
+namespace enfilade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Writes down what each step takes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<PrepareStep>& steps) : steps_(steps) {}
+  void end_of(const char* step) {
+    const auto now = Clock::now();
+    steps_.push_back({step, std::chrono::duration<double>(now - start_).count(), peak_rss_bytes()});
+    start_ = now;
+  }
+
+ private:
+  std::vector<PrepareStep>& steps_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The pieces, each cut into the parts that lie in one cell.
+std::vector<CellPiece> pieces_by_cell(std::span<const Piece> pieces, const CellComplex& cells) {
+  std::vector<CellPiece> all;
+  for (const Piece& piece : pieces) {
+    const std::vector<CellPiece> parts = cells.cut(piece);
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings& warnings,
+                       std::vector<Leak>& leaks, const Progress& progress) {
+  const auto start = Clock::now();
+  Prepared p;
+  p.scene = scene;
+  p.scene.text = {};
+  Stopwatch stopwatch(p.steps);
+  report_progress(progress, "pieces", 0.0);
+  PieceReport report;
+  const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
+  p.covered_area_m2 = report.covered_area_m2;
+  stopwatch.end_of("pieces");
+  report_progress(progress, "cells", 0.1);
+  p.cells = build_cells(pieces, config.cells, leaks);
+  warn_of_leaks(leaks, warnings);
+  std::vector<CellPiece> cell_pieces = pieces_by_cell(pieces, p.cells);
+  stopwatch.end_of("cells");
+  report_progress(progress, "clusters", 0.4);
+  cell_pieces =
+      cut_unreachable_parts(p.scene, cell_pieces, p.cells.tolerance_m(), config.unreachable);
+  report_progress(progress, "clusters", 0.5);
+  p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
+  find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
+  stopwatch.end_of("clusters");
+  report_progress(progress, "visibility", 0.6);
+  p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);
+  stopwatch.end_of("visibility");
+  merge_equal_bands(p.scene);
+  p.prepare_s = std::chrono::duration<double>(Clock::now() - start).count();
+  p.warnings = warnings;
+  return p;
+}
+
+}  // namespace enfilade

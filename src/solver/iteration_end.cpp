@@ -1,0 +1,37 @@
+#include "solver/iteration_end.hpp"
+
+#include "solver/error_estimate.hpp"
+
+namespace enfilade {
+
+Correction correction_of(const CoarseSystem& system, const CoarseUnknowns& unknowns) {
+  Correction correction;
+  correction.changes = system.solve(unknowns);
+  correction.missing_power = system.power(correction.changes);
+  correction.absorbed_power = system.absorbed(correction.changes);
+  correction.escaping_power = system.escaping(correction.changes);
+  return correction;
+}
+
+IterationSummary summary_of(const IterationPlan& plan, IterationFigures figures,
+                            const Correction* correction, double time_s) {
+  IterationSummary summary;
+  summary.plan = plan;
+  summary.sums = std::move(figures);
+  summary.time_s = time_s;
+  if (correction == nullptr) return summary;
+  summary.corrected = true;
+  summary.missing_power = correction->missing_power;
+  for (std::size_t b = 0; b < correction->absorbed_power.size(); ++b) {
+    summary.sums.absorbed_power[b] += correction->absorbed_power[b];
+    summary.sums.escaping_power[b] += correction->escaping_power[b];
+  }
+  return summary;
+}
+
+IterationPlan end_iteration(std::vector<IterationSummary>& history, const PlanConfig& config) {
+  history.back().error = estimate_error(history, config.surfaces_power);
+  return next_plan(history, config);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,31 @@
+// The end of an iteration: its coarse correction, its summary, and the plan that follows.
+#pragma once
+
+#include <vector>
+
+#include "coarse/coarse_correction.hpp"
+#include "solver/iteration_plan.hpp"
+
+namespace enfilade {
+
+/// What the coarse correction adds to the light of every cluster before the next iteration.
+struct Correction {
+  std::vector<double> changes;  ///< relative, [unknown * bands + band]; empty = none
+  /// Power of the changes: an estimate of what the iterations still lacked.
+  double missing_power = 0.0;
+  /// Per band: what it adds to IterationFigures::absorbed_power and escaping_power.
+  Spectrum absorbed_power, escaping_power;
+};
+
+/// Solves the coarse system of an iteration.
+Correction correction_of(const CoarseSystem& system, const CoarseUnknowns& unknowns);
+
+/// The summary of an iteration, without its error. `correction` is null where there is no coarse
+/// correction.
+IterationSummary summary_of(const IterationPlan& plan, IterationFigures figures,
+                            const Correction* correction, double time_s);
+
+/// Estimates the error of the last of `history`, and says what follows.
+IterationPlan end_iteration(std::vector<IterationSummary>& history, const PlanConfig& config);
+
+}  // namespace enfilade

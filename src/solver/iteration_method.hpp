@@ -1,0 +1,34 @@
+// Whose light a gather takes: this iteration's or the last one's.
+#pragma once
+
+#include <span>
+
+#include "coarse/coarse_correction.hpp"
+#include "solver/iteration_plan.hpp"
+
+namespace enfilade {
+
+/// How the linear system of radiosities is iterated.
+/// Jacobi        every gather takes the light of the last iteration (the committed light)
+/// Gauss-Seidel  a gather takes the newest light of those clusters that its own rank has gathered
+///               for in this iteration: the paper's group iteration (§8)
+/// Hybrid, the default: Jacobi while links are refined or errors sampled, and wherever the coarse
+/// correction has several aggregates a cluster; Gauss-Seidel otherwise.
+struct IterationMethod {
+  bool coarse_correction = true;  ///< false: the paper's group iteration as it is
+  bool jacobi = false;            ///< Jacobi in every iteration
+
+  /// The unknowns of the coarse correction. Several aggregates a cluster serve it alone.
+  CoarseUnknowns unknowns(std::span<const Cluster> clusters) const {
+    return coarse_correction ? coarse_unknowns(clusters) : coarse_unknowns(clusters, 1);
+  }
+  /// Whether the iteration of `plan` is one of Jacobi's. Which links are refined must not depend on
+  /// the ranks' number and speeds, so refining iterations are; the coarse correction makes up for
+  /// the slower convergence. Where it has several aggregates a cluster, all of these must have been
+  /// read by the same receivers, else a shift of light between them would pass for power.
+  bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
+    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
+  }
+};
+
+}  // namespace enfilade

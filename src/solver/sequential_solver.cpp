@@ -1,0 +1,118 @@
+#include "solver/sequential_solver.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "gather/gather.hpp"
+#include "solver/energy_conservation.hpp"
+
+namespace enfilade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One solve; see solve_sequentially().
+class Solver {
+ public:
+  Solver(const Prepared& prepared, const Occluders& occluders, const SolverConfig& config)
+      : prepared_(prepared),
+        occluders_(occluders),
+        config_(config),
+        plan_config_(plan_config(config, prepared.scene, prepared.clusters)),
+        unknowns_(config.method.unknowns(prepared.clusters)),
+        bands_(static_cast<std::size_t>(prepared.scene.bands)) {
+    WorkCount work;
+    const InitialClusters initial(prepared.scene, prepared.clusters, occluders, unknowns_,
+                                  config.gather.basis, work);
+    for (std::size_t i = 0; i < prepared.clusters.size(); ++i) {
+      solution_.clusters.push_back(initial.make(ClusterId(i)));
+      area_m2_ += prepared.clusters[i].area_m2;
+    }
+  }
+
+  Solution run(const IterationObserver& observer) {
+    IterationPlan plan = first_plan(plan_config_);
+    while (!plan.finished) {
+      plan = iterate(plan);
+      if (observer) observer(solution_.history.back());
+    }
+    solution_.converged = plan.converged;
+    if (!solution_.history.empty()) solution_.error = solution_.history.back().error;
+    return std::move(solution_);
+  }
+
+ private:
+  /// One iteration, its coarse correction included; the plan of the next one.
+  IterationPlan iterate(const IterationPlan& plan);
+  IterationFigures gather(ClusterState& receiver, std::span<const ClusterState> light,
+                          const GatherConfig& config, CoarseSystem& coarse);
+  double time_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  const Prepared& prepared_;
+  const Occluders& occluders_;
+  const SolverConfig& config_;
+  PlanConfig plan_config_;
+  CoarseUnknowns unknowns_;
+  std::size_t bands_;
+  double area_m2_ = 0.0;
+  Solution solution_;
+  Clock::time_point start_ = Clock::now();
+};
+
+IterationFigures Solver::gather(ClusterState& receiver, std::span<const ClusterState> light,
+                                const GatherConfig& config, CoarseSystem& coarse) {
+  const GatherResult result = enfilade::gather(
+      receiver, prepared_.graph.visible_to(receiver.id()),
+      [light](ClusterId id) -> const ClusterState& { return light[id.index()]; },
+      prepared_.scene.lights, occluders_, config);
+  if (config.coarse_row) coarse.add(receiver.id(), result.coarse, unknowns_);
+  return result.figures;
+}
+
+IterationPlan Solver::iterate(const IterationPlan& plan) {
+  const GatherConfig config = gather_config(plan, config_.gather, config_.method, area_m2_);
+  std::vector<ClusterState> committed;
+  const bool jacobi = config_.method.uses_jacobi(plan, unknowns_);
+  if (jacobi) {
+    for (const ClusterState& state : solution_.clusters) committed.push_back(state.shooter());
+  }
+  CoarseSystem coarse(unknowns_.count, bands_);
+  IterationFigures figures;
+  for (ClusterState& receiver : solution_.clusters) {
+    add(figures, gather(receiver, jacobi ? committed : solution_.clusters, config, coarse));
+  }
+  std::optional<Correction> correction;
+  if (config_.method.coarse_correction) {
+    correction = correction_of(coarse, unknowns_);
+    for (ClusterState& state : solution_.clusters) {
+      state.correct(unknowns_.of(state.id(), correction->changes, bands_));
+    }
+  }
+  solution_.history.push_back(
+      summary_of(plan, std::move(figures), correction ? &*correction : nullptr, time_s()));
+  return end_iteration(solution_.history, plan_config_);
+}
+
+}  // namespace
+
+PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
+                       std::span<const Cluster> clusters) {
+  const Spectrum emitted = emitted_power(scene, clusters);
+  PlanConfig plan;
+  plan.emitted_power = emitted;
+  plan.surfaces_power = surfaces_power(scene, emitted);
+  plan.epsilon = config.epsilon;
+  plan.tolerance = config.tolerance;
+  plan.target_error = config.target_error;
+  plan.patch_links = config.patch_links;
+  plan.max_iterations = config.max_iterations;
+  return plan;
+}
+
+Solution solve_sequentially(const Prepared& prepared, const Occluders& occluders,
+                            const SolverConfig& config, const IterationObserver& observer) {
+  return Solver(prepared, occluders, config).run(observer);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,43 @@
+// The solver as a library: a scene in, its light out, in one thread of one process, without files,
+// messages or simulated machines. All parallel schemes are held against it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "occluders/occluders.hpp"
+#include "preparation/preparation.hpp"
+#include "solver/gather_plan.hpp"
+#include "solver/iteration_end.hpp"
+
+namespace enfilade {
+
+struct SolverConfig {
+  double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
+  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
+  double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
+  /// With more links than this, what is read off patches is not held to target_error; 0 = never.
+  std::uint64_t patch_links = 500000;
+  int max_iterations = 200;
+  GatherSettings gather;
+  IterationMethod method;
+};
+
+/// What next_plan() needs to know of a scene and of what is asked.
+PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
+                       std::span<const Cluster> clusters);
+
+/// The light of a scene.
+struct Solution {
+  std::vector<ClusterState> clusters;  ///< in the order of their ids
+  std::vector<IterationSummary> history;
+  bool converged = false;  ///< the asked error was reached; what it is estimated to be:
+  ErrorEstimate error;
+};
+
+/// Gathers for the clusters in ascending order, iteration after iteration, until the plan ends.
+/// `occluders`: of these clusters. final_gather/point_gather.hpp reads the light at a point.
+Solution solve_sequentially(const Prepared& prepared, const Occluders& occluders,
+                            const SolverConfig& config, const IterationObserver& observer = {});
+
+}  // namespace enfilade
