@@ -1,4 +1,4 @@
-#include "geometry/shaft_tree.hpp"
+#include "occluders/occluders.hpp"
 
 #include <gtest/gtest.h>
 
