@@ -15,6 +15,7 @@
 
 namespace enfilade {
 
+/// Appends values to a sequence of bytes, without gaps.
 class ByteWriter {
  public:
   ByteWriter() = default;
@@ -25,7 +26,7 @@ class ByteWriter {
     static_assert(std::is_trivially_copyable_v<T>);
     add(std::as_bytes(std::span(&value, 1)));
   }
-  /// How many there are, as a `Count`, then the values.
+  /// Writes the number of values, as a `Count`, then the values.
   template <class Count = std::uint64_t, class Values>
   void put_all(const Values& values) {
     static_assert(std::is_trivially_copyable_v<typename Values::value_type>);
@@ -35,7 +36,7 @@ class ByteWriter {
     add(std::as_bytes(std::span(values.data(), values.size())));
   }
   void put_text(std::string_view text);
-  /// Letters that the reader knows beforehand: ByteReader::expect.
+  /// Writes letters that the reader knows beforehand and checks: ByteReader::expect.
   void put_mark(std::string_view mark) { add(std::as_bytes(std::span(mark))); }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
@@ -47,7 +48,8 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Throws RunError ("WHAT: cut off") where the bytes end too early, before it asks for memory.
+/// Throws RunError where the bytes end too early ("WHAT: cut off"), before it allocates memory for
+/// values that are not there.
 class ByteReader {
  public:
   ByteReader(std::span<const std::byte> bytes, std::string what)
@@ -68,7 +70,7 @@ class ByteReader {
     get_all<std::vector<T>, Count>(values);
     return values;
   }
-  /// Into any container that lies in one piece.
+  /// Reads into any container whose values lie in one piece of memory.
   template <class Values, class Count = std::uint64_t>
   void get_all(Values& values) {
     using T = typename Values::value_type;
@@ -79,19 +81,22 @@ class ByteReader {
     if (size > 0) std::memcpy(static_cast<void*>(values.data()), from, size);
   }
   std::string get_text();
-  /// A count of things that take at least `bytes_each` of what is left.
+  /// Reads a count of values that take at least `bytes_each` bytes each; throws RunError where
+  /// fewer bytes are left.
   template <class Count = std::uint64_t>
   std::size_t get_count(std::size_t bytes_each) {
     const auto count = get<Count>();
     if (count > bytes_.size() / bytes_each) cut_off();
     return static_cast<std::size_t>(count);
   }
+  /// Throws RunError where the next letters are not `mark`.
   void expect(std::string_view mark);
+  /// Throws RunError where bytes are left.
   void expect_end() const;
 
  private:
   [[noreturn]] void cut_off() const;
-  /// The next `size` bytes.
+  /// Returns the next `size` bytes and moves on behind them.
   const std::byte* advance(std::size_t size);
 
   std::span<const std::byte> bytes_;

@@ -19,7 +19,7 @@ class InputError : public std::runtime_error {
   std::string where_;
 };
 
-/// A run that broke: exit status 1, the last committed iteration intact.
+/// A failure while running: exit status 1, the last committed iteration intact.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -31,7 +31,8 @@ class RunError : public std::runtime_error {
 
 }  // namespace enfilade
 
-/// Always on. `operands` is a std::string with the values that broke the condition.
+/// A check that is on in every build; throws std::logic_error. `operands` is a std::string with the
+/// values that broke the condition.
 #define ENFILADE_CHECK(condition, operands)                                               \
   do {                                                                                    \
     if (!(condition)) ::enfilade::check_failed(#condition, __FILE__, __LINE__, operands); \

@@ -1,7 +1,8 @@
-// Vectors and boxes that every room uses.
+// Vectors and axis-aligned boxes.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <glm/glm.hpp>
 #include <limits>
 
@@ -9,6 +10,18 @@ namespace enfilade {
 
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
+
+/// The third component of the cross product of two vectors of the plane: twice the signed area of
+/// their triangle.
+inline double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// The coordinate axis that is farthest from the direction of n, as a unit vector; of equals the
+/// first.
+inline Vec3 least_axis(const Vec3& n) {
+  const Vec3 a = glm::abs(n);
+  if (a.x <= a.y && a.x <= a.z) return {1.0, 0.0, 0.0};
+  return a.y <= a.z ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+}
 
 /// Axis-aligned box, metres; empty until a point is added.
 struct Box {
@@ -26,6 +39,18 @@ struct Box {
   bool empty() const { return lo.x > hi.x; }
   Vec3 center() const { return 0.5 * (lo + hi); }
   Vec3 extent() const { return empty() ? Vec3(0.0) : hi - lo; }
+  /// 0 = x, 1 = y, 2 = z; of equals the first.
+  int longest_axis() const {
+    const Vec3 e = extent();
+    return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+  }
+  /// Bit 0 of a corner's number says that it lies at the upper end in x, bit 1 in y, bit 2 in z.
+  std::array<Vec3, 8> corners() const {
+    std::array<Vec3, 8> found;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      found[i] = {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
+    return found;
+  }
   double diagonal() const { return glm::length(extent()); }
   bool overlaps(const Box& b, double tolerance = 0.0) const {
     return lo.x <= b.hi.x + tolerance && b.lo.x <= hi.x + tolerance && lo.y <= b.hi.y + tolerance &&

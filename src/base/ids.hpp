@@ -1,4 +1,4 @@
-// Strong ids: a cluster's number is never taken for a cell's.
+// Strong ids: a cluster's number does not convert into a cell's.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// For what was misspelt.
+// Suggestions for misspelt words.
 #pragma once
 
 #include <span>

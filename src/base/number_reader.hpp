@@ -1,4 +1,4 @@
-// Hands out the numbers of a record one by one.
+// Reads the numbers of a record one by one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ class NumberReader {
  public:
   explicit NumberReader(std::span<const double> numbers) : numbers_(numbers) {}
 
-  /// Throws RunError where there are no more.
+  /// Returns the next number. Throws RunError where none is left.
   double next() {
     if (numbers_.empty())
       throw RunError(
@@ -23,7 +23,7 @@ class NumberReader {
     return value;
   }
   std::uint64_t next_count() { return static_cast<std::uint64_t>(next()); }
-  /// Those that have not been handed out.
+  /// The numbers that have not been read.
   std::span<const double> rest() const { return numbers_; }
 
  private:

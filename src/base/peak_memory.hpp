@@ -5,7 +5,7 @@
 
 namespace enfilade {
 
-/// Bytes of memory that this process has used at most.
+/// The largest resident set of this process so far, bytes.
 std::uint64_t peak_rss_bytes();
 
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-// How long work tells how far it is; `app` decides whether and how to show it.
+// Reports of progress; `app` decides whether and how to show them.
 #pragma once
 
 #include <functional>

@@ -6,7 +6,7 @@
 
 namespace enfilade {
 
-/// One warning: the place in the input, and what was done about it.
+/// One warning: the place in the input, what is wrong there and what was done about it.
 struct Warning {
   std::string where;
   std::string what;

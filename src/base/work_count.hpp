@@ -1,11 +1,11 @@
-// Work is counted here and priced in one place, by `machine`.
+// Counts of work, in operations; the machine's cost model gives them a price.
 #pragma once
 
 #include <cstdint>
 
 namespace enfilade {
 
-/// What a piece of the computation did, in operations; the cost model turns it into flops.
+/// The operations that a part of the computation has done.
 struct WorkCount {
   std::uint64_t rays = 0;            ///< visibility rays cast
   std::uint64_t form_factors = 0;    ///< closed-form point-to-polygon factors evaluated

@@ -155,7 +155,7 @@ class DescriptionReader {
   Building& building_;
 };
 
-// Values that are fine by themselves and not together.
+// Checks values against each other.
 void check_together(const Building& building) {
   if (building.window_head_m < building.window_sill_m + 0.2) {
     throw building.fault("window_head", "is not above window_sill", "leave 0.2 m between them");

@@ -1,4 +1,4 @@
-// Buildings described in JSON, and what the command line adds to it.
+// Descriptions of buildings: JSON, with options of the command line put into it.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace enfilade {
 
-/// A number or a yes that a description may give under `key`, and the command line as an option.
+/// A number or a truth value that a description may give under `key`, and the command line as an
+/// option.
 struct BuildingField {
   const char* key;
   const char* help;  ///< with the unit

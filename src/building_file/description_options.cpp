@@ -43,14 +43,14 @@ void put_option(json& document, const Building& building, const std::string& key
   } else if (key == "furniture" || key == "ground_furniture") {
     json& counts = document[key];
     if (!counts.is_object()) counts = json::object();
-    std::set<std::string> told;
+    std::set<std::string> given;
     for (const std::string& part : parts_of(value)) {
       const auto equals = part.find('=');
       if (equals == std::string::npos) {
         throw building.fault(key, "has " + in_quotes(part), "write kind=number,kind=number");
       }
       const std::string kind = part.substr(0, equals);
-      if (!told.insert(kind).second) {
+      if (!given.insert(kind).second) {
         throw building.fault(key, "has " + kind + " twice", "write each kind once");
       }
       counts[kind] = value_of(part.substr(equals + 1));

@@ -1,4 +1,4 @@
-// What the command line says of a building, put into its description.
+// Options of the command line, put into the description of a building.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -78,9 +78,7 @@ class CellClusters {
       const Plane plane = plane_of(*polygons_[i]);
       const auto fits = [&](const Face& face) {
         if (face.object != object_of(i) || glm::dot(face.plane.n, plane.n) < 0.0) return false;
-        return std::all_of(polygons_[i]->begin(), polygons_[i]->end(), [&](const Vec3& p) {
-          return std::abs(face.plane.signed_distance(p)) <= tolerance_m;
-        });
+        return lies_in(*polygons_[i], face.plane, tolerance_m);
       };
       auto face = std::find_if(faces.begin(), faces.end(), fits);
       if (face == faces.end()) face = faces.insert(face, Face{object_of(i), plane, {}});

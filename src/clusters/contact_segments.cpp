@@ -5,29 +5,16 @@
 #include <optional>
 
 #include "geometry/box_tree.hpp"
+#include "geometry/clip.hpp"
 
 namespace enfilade {
 namespace {
 
-/// Planes through the edges at right angles to the polygon, looking inward.
-std::vector<Plane> inward_planes(const Polygon& polygon, const Vec3& n) {
-  std::vector<Plane> planes;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 in = glm::cross(n, polygon[(i + 1) % polygon.size()] - polygon[i]);
-    const double length = glm::length(in);
-    if (length > 0.0) planes.push_back({in / length, glm::dot(in / length, polygon[i])});
-  }
-  return planes;
-}
-
-/// What of the segment lies in front of all planes; none where it only runs along one of them.
+/// What of the segment lies behind all planes; none where it only runs along one of them.
 std::optional<Segment> clip(Segment s, const std::vector<Plane>& planes, double tolerance_m,
                             double min_length_m) {
   for (const Plane& plane : planes) {
-    const double da = plane.signed_distance(s.a), db = plane.signed_distance(s.b);
-    if (std::max(da, db) <= tolerance_m) return std::nullopt;
-    if (da < 0.0) s.a += (s.b - s.a) * (da / (da - db));
-    if (db < 0.0) s.b += (s.a - s.b) * (db / (db - da));
+    if (!clip_front(s, plane.flipped(), tolerance_m)) return std::nullopt;
   }
   if (s.length_m() < min_length_m) return std::nullopt;
   return s;
@@ -83,8 +70,7 @@ void ContactSegments::Impl::add(const Polygon& other, const Plane& plane,
       found.push_back({other[i], other[j]});
     }
     if (distance[i] * distance[j] < 0.0) {
-      const double t = distance[i] / (distance[i] - distance[j]);
-      crossing.push_back(other[i] + t * (other[j] - other[i]));
+      crossing.push_back(zero_crossing(other[i], distance[i], other[j], distance[j]));
     }
   }
   // A convex polygon crosses a plane in one segment.
@@ -105,7 +91,7 @@ std::vector<Segment> ContactSegments::inside(std::size_t i) const {
     if (j != i) impl_->add(*impl_->polygons[j], plane, all);
   }
 
-  const std::vector<Plane> planes = inward_planes(polygon, plane.n);
+  const std::vector<Plane> planes = edge_planes(polygon, plane.n, 0.0);
   std::vector<Segment> clipped;
   for (const Segment& s : all) {
     const auto part = clip(s, planes, impl_->tolerance_m, impl_->min_length_m);

@@ -71,9 +71,7 @@ bool LightWalk::sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light
 bool LightWalk::sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter,
                              Random& random) const {
   const Polygon& polygon = pieces_[emitter].piece.polygon;
-  const std::size_t k = 2 + random.below(polygon.size() - 2);
-  const double u = std::sqrt(random.uniform()), v = random.uniform();
-  const Vec3 q = (1.0 - u) * polygon[0] + u * ((1.0 - v) * polygon[k - 1] + v * polygon[k]);
+  const Vec3 q = random_point(polygon, random);
   if (glm::dot(q - p, n) <= 0.0 || glm::dot(p - q, faces_[emitter].n) <= 0.0) return false;
   return !rays_.occluded(p, q, RayScene::no_polygon, emitter);
 }

@@ -7,6 +7,7 @@
 #include "clusters/contact_segments.hpp"
 #include "clusters/light_walk.hpp"
 #include "geometry/convex.hpp"
+#include "geometry/sampling.hpp"
 
 namespace enfilade {
 namespace {
@@ -26,15 +27,12 @@ struct Part {
   bool sealed;
 };
 
-std::vector<Segment> side_of(const std::vector<Segment>& segments, const Plane& plane, double side,
-                             double tolerance_m, double min_length_m) {
+/// What of the segments lies in front of the plane, longest first.
+std::vector<Segment> in_front(const std::vector<Segment>& segments, const Plane& plane,
+                              double tolerance_m, double min_length_m) {
   std::vector<Segment> kept;
   for (Segment s : segments) {
-    const double da = side * plane.signed_distance(s.a), db = side * plane.signed_distance(s.b);
-    if (std::max(da, db) <= tolerance_m) continue;
-    if (da < 0.0) s.a += (s.b - s.a) * (da / (da - db));
-    if (db < 0.0) s.b += (s.a - s.b) * (db / (db - da));
-    if (s.length_m() >= min_length_m) kept.push_back(s);
+    if (clip_front(s, plane, tolerance_m) && s.length_m() >= min_length_m) kept.push_back(s);
   }
   std::stable_sort(kept.begin(), kept.end(),
                    [](const Segment& s, const Segment& t) { return s.length_m() > t.length_m(); });
@@ -102,9 +100,9 @@ class PieceCut {
     nodes_[i].front = nodes_.size();
     nodes_[i].back = nodes_.size() + 1;
     nodes_.push_back(
-        {std::move(halves.first), side_of(segments, plane, 1.0, tolerance_m_, min_length_m_)});
-    nodes_.push_back(
-        {std::move(halves.second), side_of(segments, plane, -1.0, tolerance_m_, min_length_m_)});
+        {std::move(halves.first), in_front(segments, plane, tolerance_m_, min_length_m_)});
+    nodes_.push_back({std::move(halves.second),
+                      in_front(segments, plane.flipped(), tolerance_m_, min_length_m_)});
     return true;
   }
 
@@ -133,8 +131,8 @@ class PieceCut {
     for (int i = 0; i < points_of_part; ++i) {
       const double target = area * (i + 0.5) / points_of_part;
       while (k + 1 < polygon.size() && before + triangle(k) < target) before += triangle(k++);
-      const double u = std::sqrt(random_.uniform()), v = random_.uniform();
-      const Vec3 p = (1.0 - u) * polygon[0] + u * ((1.0 - v) * polygon[k - 1] + v * polygon[k]);
+      const double r1 = random_.uniform(), r2 = random_.uniform();
+      const Vec3 p = point_in_triangle(polygon[0], polygon[k - 1], polygon[k], r1, r2);
       const int walks = std::max(1, config_.walks / points_of_part);
       if (walk_.finds_light(c + 0.96 * (p - c), n_, walks, random_)) return false;
     }

@@ -9,21 +9,8 @@
 namespace enfilade {
 namespace {
 
-/// Even over a convex shape: the triangle of its fan by r1, then r1's rest and r2 within that.
 Vec2 point_in(const PatchShape& shape, double r1, double r2) {
-  const PatchOutline& v = shape.vertices;
-  double pick = r1 * shape.area_m2;
-  for (std::size_t i = 2; i < v.size(); ++i) {
-    const Vec2 a = v[i - 1] - v[0], b = v[i] - v[0];
-    const double area = 0.5 * (a.x * b.y - a.y * b.x);
-    if (pick > area && i + 1 < v.size()) {
-      pick -= area;
-      continue;
-    }
-    const double s = std::sqrt(area > 0.0 ? std::clamp(pick / area, 0.0, 1.0) : 0.0);
-    return v[0] + s * ((1.0 - r2) * a + r2 * b);
-  }
-  return shape.centroid;
+  return uniform_point({shape.vertices.data(), shape.vertices.size()}, shape.area_m2, r1, r2);
 }
 
 double top(std::span<const double> light, std::size_t terms) {

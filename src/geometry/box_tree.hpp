@@ -1,4 +1,4 @@
-// Which of many boxes touch a given one: an R-tree.
+// An R-tree of boxes: which of them touch a given box.
 #pragma once
 
 #include <cstdint>

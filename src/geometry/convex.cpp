@@ -7,13 +7,7 @@ namespace enfilade {
 namespace {
 
 // A unit vector at right angles to n.
-Vec3 any_tangent(const Vec3& n) {
-  const Vec3 a = glm::abs(n);
-  const Vec3 axis = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0)
-                    : a.y <= a.z             ? Vec3(0, 1, 0)
-                                             : Vec3(0, 0, 1);
-  return glm::normalize(glm::cross(n, axis));
-}
+Vec3 any_tangent(const Vec3& n) { return glm::normalize(glm::cross(n, least_axis(n))); }
 
 // A square of the plane, centred at the foot of `center`, of half side `radius`.
 Polygon square(const Plane& plane, const Vec3& center, double radius) {
@@ -24,51 +18,17 @@ Polygon square(const Plane& plane, const Vec3& center, double radius) {
 
 }  // namespace
 
-void clip_behind(Polygon& polygon, const Plane& plane, double tolerance) {
-  const std::size_t count = polygon.size();
-  if (count == 0) return;
-  bool any_front = false, any_behind = false;
-  thread_local std::vector<double> distance;
-  distance.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    distance[i] = plane.signed_distance(polygon[i]);
-    if (std::abs(distance[i]) <= tolerance) distance[i] = 0.0;
-    any_front |= distance[i] > 0.0;
-    any_behind |= distance[i] < 0.0;
+Box bounds_along(std::span<const Vec3> points, const Frame& axes) {
+  Box box;
+  for (const Vec3& p : points) {
+    box.add(Vec3(glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p)));
   }
-  if (!any_front) return;
-  if (!any_behind) {
-    polygon.clear();
-    return;
-  }
-  Polygon kept;
-  kept.reserve(count + 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t j = i + 1 == count ? 0 : i + 1;
-    if (distance[i] <= 0.0) kept.push_back(polygon[i]);
-    if (distance[i] * distance[j] >= 0.0) continue;
-    // From the front end always, so that two polygons that share the edge get the very same point.
-    const std::size_t f = distance[i] > 0.0 ? i : j, b = f == i ? j : i;
-    const double t = distance[f] / (distance[f] - distance[b]);
-    kept.push_back(polygon[f] + t * (polygon[b] - polygon[f]));
-  }
-  if (kept.size() < 3) kept.clear();
-  polygon = std::move(kept);
-}
-
-void clip_front(Polygon& polygon, const Plane& plane, double tolerance) {
-  clip_behind(polygon, {-plane.n, -plane.d}, tolerance);
+  return box;
 }
 
 Region box_region(std::span<const Vec3> points, const Frame& axes, double margin) {
-  Vec3 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-  for (const Vec3& p : points) {
-    const Vec3 q(glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p));
-    lo = glm::min(lo, q);
-    hi = glm::max(hi, q);
-  }
-  lo -= Vec3(margin);
-  hi += Vec3(margin);
+  const Box along = bounds_along(points, axes);
+  const Vec3 lo = along.lo - Vec3(margin), hi = along.hi + Vec3(margin);
   const Vec3 middle = 0.5 * (lo + hi);
   const Vec3 center = middle.x * axes[0] + middle.y * axes[1] + middle.z * axes[2];
   std::vector<Plane> planes;
@@ -110,7 +70,7 @@ std::pair<Region, Region> split_region(const Region& region, const Plane& plane,
     if (area_m2(behind) > 0.0) parts.second.facets.push_back({facet.plane, std::move(behind)});
   }
   if (!section.empty()) {
-    parts.first.facets.push_back({{-plane.n, -plane.d}, Polygon(section.rbegin(), section.rend())});
+    parts.first.facets.push_back({plane.flipped(), Polygon(section.rbegin(), section.rend())});
     parts.second.facets.push_back({plane, section});
   }
   return parts;
@@ -162,7 +122,7 @@ Polygon convex_hull(std::vector<Vec3> points, const Vec3& n) {
   // Andrew's monotone chain, without tolerance: in a column of points that rounding has put out of
   // line a tolerance would take the turn back from its end for a straight line, and lose the end.
   const auto left_turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
+    return cross2(b - a, c - a) > 0.0;
   };
   std::vector<std::pair<Vec2, std::size_t>> hull;
   for (int pass = 0; pass < 2; ++pass) {
@@ -183,7 +143,7 @@ Polygon convex_hull(std::vector<Vec3> points, const Vec3& n) {
     const Vec2 p = hull[i].first;
     const Vec2 to_before = hull[(i + hull.size() - 1) % hull.size()].first - p;
     const Vec2 to_next = hull[(i + 1) % hull.size()].first - p;
-    const double area = std::abs(to_before.x * to_next.y - to_before.y * to_next.x);
+    const double area = std::abs(cross2(to_before, to_next));
     const double chord = glm::length(to_next - to_before);
     const bool between = glm::dot(to_before, to_next) <= 0.0;
     if (between && area <= 1e-12 * chord * chord) {

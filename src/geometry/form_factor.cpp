@@ -1,9 +1,11 @@
 #include "geometry/form_factor.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
+#include <ranges>
+
+#include "geometry/clip.hpp"
 
 namespace enfilade {
 namespace {
@@ -19,14 +21,8 @@ double edge_term(const Vec3& a, const Vec3& b, const Vec3& n) {
 }  // namespace
 
 double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon) {
-  const std::size_t count = polygon.size();
-  // Is x in front of the polygon? Its plane's normal, from the two longest-lived corners.
-  Vec3 area(0.0);
-  const Vec3 first = polygon[0] - x;
-  for (std::size_t i = 2; i < count; ++i) {
-    area += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  }
-  if (glm::dot(area, first) >= 0.0) return 0.0;
+  // Zero where x is not in front of the polygon.
+  if (glm::dot(area_vector(polygon), polygon[0] - x) >= 0.0) return 0.0;
 
   double sum = 0.0;
   // Walk the edges, clipping at the horizon: `kept` is the last vertex above it.
@@ -41,18 +37,13 @@ double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> poly
     }
     kept = v;
   };
-  Vec3 a = polygon[count - 1] - x;
-  double height_a = glm::dot(a, n);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 b = polygon[i] - x;
-    const double height_b = glm::dot(b, n);
-    if ((height_a > 0.0) != (height_b > 0.0)) {
-      visit(a + (b - a) * (height_a / (height_a - height_b)));
-    }
-    if (height_b > 0.0) visit(b);
-    a = b;
-    height_a = height_b;
-  }
+  walk_cut(
+      polygon | std::views::transform([&](const Vec3& p) { return p - x; }),
+      [&](const Vec3& v) { return -glm::dot(v, n); },
+      [&](const Vec3& v, bool is_above_horizon) {
+        if (is_above_horizon) visit(v);
+      },
+      visit);
   if (!any) return 0.0;
   sum += edge_term(kept, start, n);
   // Seen from its front, a counter-clockwise polygon runs clockwise around n.

@@ -39,10 +39,8 @@ bool outside(const Polygon& polygon, const HalfSpaces& spaces, double slack_m) {
 }
 
 bool outside(const Box& box, const HalfSpaces& spaces, double slack_m) {
-  const Vec3 center = box.center(), half = 0.5 * box.extent();
-  return std::any_of(spaces.begin(), spaces.end(), [&](const Plane& plane) {
-    return plane.signed_distance(center) + glm::dot(glm::abs(plane.n), half) < -slack_m;
-  });
+  return std::any_of(spaces.begin(), spaces.end(),
+                     [&](const Plane& plane) { return highest_distance(box, plane) < -slack_m; });
 }
 
 Polygon clip_to(Polygon polygon, const HalfSpaces& spaces, double slack_m) {

@@ -1,5 +1,5 @@
-// What can be seen through windows, as half spaces: Teller's anti-penumbra, its part that needs no
-// search.
+// Half spaces that hold all that can be seen through windows: of Teller's anti-penumbra (1992) the
+// planes through an edge of the window and a vertex of the source.
 #pragma once
 
 #include <span>
@@ -13,9 +13,10 @@ namespace enfilade {
 using HalfSpaces = std::vector<Plane>;
 
 /// Adds, for every edge of `window`, the half space that lines from `source` through the window
-/// stay in beyond it: the plane through the edge that touches the source, the source on its other
-/// side. `n` is the window's unit normal towards where it leads; the source lies on this side of
-/// it. Everything is taken `slack_m` larger than it is, so that no line is lost to rounding.
+/// stay in beyond it: its plane passes through the edge and touches the source, and has the source
+/// on its other side. `n` is the window's unit normal towards where it leads; the source lies on
+/// this side of it. Source and window count as `slack_m` larger than they are, so that no line is
+/// lost to rounding.
 void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec3& n,
                   double slack_m, HalfSpaces& out);
 

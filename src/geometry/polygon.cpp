@@ -1,7 +1,8 @@
-// Areas, planes and cuts of polygons, computed relative to a vertex so that a far origin costs no
-// digits.
+// Areas, planes and distances of polygons; areas are computed relative to a vertex so that a far
+// origin costs no digits.
 #include "geometry/polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,33 +20,15 @@ double area_noise(const Polygon& polygon) {
   return extent * (1e-12 * extent + 8.0 * eps * farthest);
 }
 
-// Planes through the edges of b, at right angles to it, looking outward.
-std::vector<Plane> edge_planes(const Polygon& b) {
-  std::vector<Plane> planes;
-  const Vec3 n = normal(b);
-  const double shortest = 1e-12 * bounds(b).diagonal();
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const Vec3& p = b[i];
-    const Vec3 edge = b[(i + 1) % b.size()] - p;
-    const Vec3 out = glm::cross(edge, n);
-    const double length = glm::length(out);
-    if (length <= shortest) continue;
-    planes.push_back({out / length, glm::dot(out / length, p)});
-  }
-  return planes;
-}
-
 }  // namespace
 
-Vec3 area_vector(const Polygon& polygon) {
-  Vec3 sum(0.0);
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    sum += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  }
+double area_m2(std::span<const Vec3> polygon) { return 0.5 * glm::length(area_vector(polygon)); }
+
+double total_area_m2(std::span<const Polygon> polygons) {
+  double sum = 0.0;
+  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
   return sum;
 }
-
-double area_m2(const Polygon& polygon) { return 0.5 * glm::length(area_vector(polygon)); }
 
 Vec3 normal(const Polygon& polygon) {
   const Vec3 v = area_vector(polygon);
@@ -86,59 +69,65 @@ Box bounds(const Polygon& polygon) {
   return box;
 }
 
-std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, double tolerance) {
-  const std::size_t count = polygon.size();
-  std::vector<double> distance(count);
-  bool any_front = false, any_behind = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    distance[i] = plane.signed_distance(polygon[i]);
-    if (std::abs(distance[i]) <= tolerance) distance[i] = 0.0;
-    any_front |= distance[i] > 0.0;
-    any_behind |= distance[i] < 0.0;
+std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double shortest_m) {
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3& p = polygon[i];
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - p;
+    const Vec3 out = glm::cross(edge, n);
+    const double length = glm::length(out);
+    if (length <= shortest_m) continue;
+    planes.push_back({out / length, glm::dot(out / length, p)});
   }
-  if (!any_behind) return {polygon, {}};
-  if (!any_front) return {{}, polygon};
-  Polygon front, behind;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t j = (i + 1) % count;
-    if (distance[i] >= 0.0) front.push_back(polygon[i]);
-    if (distance[i] <= 0.0) behind.push_back(polygon[i]);
-    if (distance[i] * distance[j] >= 0.0) continue;
-    // From the front end always, so that two polygons that share the edge get the very same point.
-    const std::size_t f = distance[i] > 0.0 ? i : j, b = f == i ? j : i;
-    const double t = distance[f] / (distance[f] - distance[b]);
-    const Vec3 crossing = polygon[f] + t * (polygon[b] - polygon[f]);
-    front.push_back(crossing);
-    behind.push_back(crossing);
-  }
-  return {std::move(front), std::move(behind)};
+  return planes;
 }
 
-std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, double tolerance) {
-  std::vector<Polygon> left;
-  Polygon inside = a;
-  const std::vector<Plane> planes = edge_planes(b);
-  if (planes.size() < 3) return {a};
-  for (const Plane& plane : planes) {
-    // An edge of `a` that lies in the plane up to tolerance must stay inside: only what sticks out
-    // is cut.
-    auto [outside, rest] = split(inside, plane, tolerance);
-    if (rest.empty()) return {a};
-    if (!outside.empty()) left.push_back(std::move(outside));
-    inside = std::move(rest);
+bool contains(const Polygon& polygon, const Vec3& n, const Vec3& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if (glm::dot(glm::cross(b - a, p - a), n) < 0.0) return false;
   }
-  return left;
+  return true;
 }
 
-Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance) {
-  Polygon inside = a;
-  const std::vector<Plane> planes = edge_planes(b);
-  if (planes.size() < 3) return {};
-  for (const Plane& plane : planes) {
-    inside = split(inside, plane, tolerance).second;
-    if (inside.empty()) break;
+bool contains_within(const Polygon& polygon, const Vec3& n, const Vec3& p, double reach_m) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const double limit = reach_m > 0.0 ? reach_m * glm::length(edge) : 0.0;
+    if (glm::dot(glm::cross(n, edge), p - polygon[i]) < -limit) return false;
   }
-  return inside;
+  return true;
+}
+
+bool contains(std::span<const Vec2> polygon, const Vec2& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if (cross2(b - a, p - a) < 0.0) return false;
+  }
+  return true;
+}
+
+void DistanceRange::add(double signed_distance) {
+  lowest = std::min(lowest, signed_distance);
+  highest = std::max(highest, signed_distance);
+  sum += signed_distance;
+}
+
+DistanceRange distances(std::span<const Vec3> points, const Plane& plane) {
+  DistanceRange range;
+  for (const Vec3& p : points) range.add(plane.signed_distance(p));
+  return range;
+}
+
+bool lies_in(std::span<const Vec3> points, const Plane& plane, double tolerance_m) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    return std::abs(plane.signed_distance(p)) <= tolerance_m;
+  });
+}
+
+double highest_distance(const Box& box, const Plane& plane) {
+  const Vec3 half = 0.5 * box.extent();
+  return plane.signed_distance(box.center()) + glm::dot(glm::abs(plane.n), half);
 }
 
 }  // namespace enfilade

@@ -1,14 +1,14 @@
-// Planar convex polygons: the one shape that every room works on.
+// Planar convex polygons, planes and segments: measures, distances, point in polygon.
 #pragma once
 
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "base/geometry.hpp"
 
 namespace enfilade {
 
-/// Vertices in metres, counter-clockwise seen from the front (reflecting) side.
+/// Corners in metres, counter-clockwise seen from the front (reflecting) side.
 using Polygon = std::vector<Vec3>;
 
 /// A plane n.p = d, n of unit length; the front is where n.p > d.
@@ -16,6 +16,7 @@ struct Plane {
   Vec3 n{0.0, 0.0, 1.0};
   double d = 0.0;
   double signed_distance(const Vec3& p) const { return glm::dot(n, p) - d; }
+  Plane flipped() const { return {-n, -d}; }
 };
 
 struct Segment {
@@ -23,9 +24,16 @@ struct Segment {
   double length_m() const { return glm::length(b - a); }
 };
 
-/// Twice the area times the unit normal (Newell), robust for any planar polygon.
-Vec3 area_vector(const Polygon& polygon);
-double area_m2(const Polygon& polygon);
+/// Twice the area times the unit normal, robust for any planar polygon.
+inline Vec3 area_vector(std::span<const Vec3> polygon) {
+  Vec3 sum(0.0);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    sum += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  }
+  return sum;
+}
+double area_m2(std::span<const Vec3> polygon);
+double total_area_m2(std::span<const Polygon> polygons);
 /// Unit normal; zero for a degenerate polygon.
 Vec3 normal(const Polygon& polygon);
 /// Area centroid.
@@ -33,17 +41,31 @@ Vec3 centroid(const Polygon& polygon);
 Plane plane_of(const Polygon& polygon);
 Box bounds(const Polygon& polygon);
 
-/// Cuts by a plane: first = the part in front, second = the part behind; either may be empty.
-/// Vertices within `tolerance` metres of the plane count as on it, so no sliver thinner than that
-/// is made. A polygon that lies in the plane counts as in front.
-std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, double tolerance);
+/// Outward planes through the edges of a polygon with unit normal `n`, at right angles to it; edges
+/// of at most `shortest_m` metres have none.
+std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double shortest_m);
 
-/// a minus b, both convex and coplanar within tolerance: at most |b| convex pieces, none for full
-/// cover, {a} itself where they do not overlap by more than `tolerance`. The two may face opposite
-/// ways.
-std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, double tolerance);
+/// Is p, a point of the polygon's plane, inside the convex polygon with normal `n` (of any length)?
+/// Its edges count as inside; no tolerance.
+bool contains(const Polygon& polygon, const Vec3& n, const Vec3& p);
+/// The same, with a polygon that is `reach_m` larger on all sides; `n` is of unit length. Rounds
+/// otherwise than `contains`: (n x edge) . (p - corner) here, (edge x (p - corner)) . n there.
+bool contains_within(const Polygon& polygon, const Vec3& n, const Vec3& p, double reach_m);
+/// Is p inside the convex polygon of the plane, its corners counter-clockwise? Its edges count as
+/// inside; no tolerance.
+bool contains(std::span<const Vec2> polygon, const Vec2& p);
 
-/// The common part of two convex coplanar polygons, facing as `a` does; empty where there is none.
-Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance);
+/// How far points lie from a plane, metres.
+struct DistanceRange {
+  double lowest = 0.0;   ///< of the point farthest behind the plane; 0 where none is behind it
+  double highest = 0.0;  ///< of the point farthest in front; 0 where none is in front
+  double sum = 0.0;
+  void add(double signed_distance);
+};
+DistanceRange distances(std::span<const Vec3> points, const Plane& plane);
+/// Do all points lie in the plane, to within `tolerance_m`?
+bool lies_in(std::span<const Vec3> points, const Plane& plane, double tolerance_m);
+/// The largest signed distance of a point of the box.
+double highest_distance(const Box& box, const Plane& plane);
 
 }  // namespace enfilade

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/clip.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -73,16 +75,12 @@ bool reaches_into(const Polygon& polygon, std::span<const Plane> planes, double 
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (i < in_sets && (crossed >> i & 1) == 0) continue;
     next.clear();
-    Vec3 a = current.back();
-    double side_a = planes[i].signed_distance(a) + tolerance_m;
-    for (const Vec3& b : current) {
-      const double side_b = planes[i].signed_distance(b) + tolerance_m;
-      if ((side_a < 0.0) != (side_b < 0.0))
-        next.push_back(a + (b - a) * (side_a / (side_a - side_b)));
-      if (side_b < 0.0) next.push_back(b);
-      a = b;
-      side_a = side_b;
-    }
+    walk_cut(
+        current, [&](const Vec3& p) { return planes[i].signed_distance(p) + tolerance_m; },
+        [&](const Vec3& p, bool is_inside) {
+          if (is_inside) next.push_back(p);
+        },
+        [&](const Vec3& p) { next.push_back(p); });
     if (next.empty()) return false;
     std::swap(current, next);
   }
@@ -93,12 +91,7 @@ bool reaches_into(const Polygon& polygon, std::span<const Plane> planes, double 
 bool touches(const Polygon& polygon, const Vec3& p, double reach_m) {
   const Plane plane = plane_of(polygon);
   if (std::abs(plane.signed_distance(p)) > reach_m) return false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    const Vec3 inward = glm::cross(plane.n, edge);
-    if (glm::dot(inward, p - polygon[i]) < -reach_m * glm::length(edge)) return false;
-  }
-  return true;
+  return contains_within(polygon, plane.n, p, reach_m);
 }
 
 }  // namespace
@@ -108,8 +101,7 @@ Shaft shaft_between(const Polygon& a, const Polygon& b, double tolerance_m) {
   shaft.box.add(bounds(b));
   for (const Polygon* polygon : {&a, &b}) {
     if (polygon->size() < 3) continue;  // a point light has no front
-    const Plane front = plane_of(*polygon);
-    shaft.planes.push_back({-front.n, -front.d});
+    shaft.planes.push_back(plane_of(*polygon).flipped());
   }
   add_support_planes(a, b, tolerance_m, shaft.planes);
   add_support_planes(b, a, tolerance_m, shaft.planes);
@@ -135,9 +127,7 @@ std::int32_t ShaftTree::build(std::uint32_t begin, std::uint32_t end) {
   nodes_[index].begin = begin;
   nodes_[index].end = end;
   if (end - begin <= 4) return index;
-  const Vec3 extent = centers.extent();
-  const int axis =
-      extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+  const int axis = centers.longest_axis();
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](std::uint32_t i, std::uint32_t j) {

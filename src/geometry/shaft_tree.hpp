@@ -1,4 +1,4 @@
-// Shafts: is it certain that nothing stands between two polygons? (Haines and Wallace 1991)
+// Shafts: which polygons reach into the space between two others (Haines and Wallace 1991).
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,12 @@ class ShaftTree {
   /// Does a polygon other than skip_a, skip_b reach more than tolerance_m into the shaft?
   bool blocked(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a,
                std::uint32_t skip_b) const;
-  /// Appends the polygons that `blocked` speaks of, until there are more than `most`; in the same
-  /// order for the same shaft.
+  /// Appends the polygons other than skip_a, skip_b that reach more than tolerance_m into the
+  /// shaft, until there are more than `most`; in the same order for the same shaft.
   void find(const Shaft& shaft, double tolerance_m, std::uint32_t skip_a, std::uint32_t skip_b,
             std::size_t most, std::vector<std::uint32_t>& found) const;
-  /// The same among what was found for a shaft that holds this one: in the same order.
+  /// Appends those of the polygons `among` that `find` would append, in the order of `among`: for a
+  /// shaft inside one that has been searched.
   void find_among(std::span<const std::uint32_t> among, const Shaft& shaft, double tolerance_m,
                   std::uint32_t skip_a, std::uint32_t skip_b,
                   std::vector<std::uint32_t>& found) const;

@@ -13,8 +13,7 @@ namespace {
 double signed_area(const std::vector<Vec2>& ring) {
   double twice = 0.0;
   for (std::size_t i = 2; i < ring.size(); ++i) {
-    const Vec2 a = ring[i - 1] - ring[0], b = ring[i] - ring[0];
-    twice += a.x * b.y - a.y * b.x;
+    twice += cross2(ring[i - 1] - ring[0], ring[i] - ring[0]);
   }
   return 0.5 * twice;
 }

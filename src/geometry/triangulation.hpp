@@ -11,8 +11,8 @@ namespace enfilade {
 
 struct Triangulation {
   bool simple = true;  ///< false: the ring crosses itself, and nothing else here is filled
-  std::vector<Vec2>
-      points;  ///< those of the ring in its order, then those added where the ring touches itself
+  /// The points of the ring in its order, then those added where the ring touches itself.
+  std::vector<Vec2> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise, constrained Delaunay
 };
 

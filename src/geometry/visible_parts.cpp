@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/clip.hpp"
 #include "geometry/form_factor.hpp"
 
 namespace enfilade {
@@ -21,10 +22,7 @@ void VisibleParts::begin(const Vec3& x, std::span<const Vec3> polygon, double to
 
 bool VisibleParts::hide(std::span<const Vec3> occluder, std::size_t most) {
   if (empty()) return true;
-  Vec3 area(0.0);
-  for (std::size_t i = 2; i < occluder.size(); ++i) {
-    area += glm::cross(occluder[i - 1] - occluder[0], occluder[i] - occluder[0]);
-  }
+  const Vec3 area = area_vector(occluder);
   const double length = glm::length(area);
   if (length <= 0.0) return true;
   const Vec3 m = area / length;
@@ -47,7 +45,9 @@ bool VisibleParts::hide(std::span<const Vec3> occluder, std::size_t most) {
   return size() <= most;
 }
 
-/// Appends what of one part lies outside of the shadow: a piece for each of its planes.
+/// Appends the pieces of one part outside of the shadow, one for each plane of the shadow that cuts
+/// it. Corners count as `split` counts them, but crossings are computed along the walk and pieces
+/// begin where the walk meets them.
 void VisibleParts::cut(std::span<const Vec3> part) {
   const std::size_t corners_before = next_corners_.size(), ends_before = next_ends_.size();
   inside_.assign(part.begin(), part.end());
@@ -62,7 +62,7 @@ void VisibleParts::cut(std::span<const Vec3> part) {
       const bool crosses = (side_a < -tolerance_m_ && side_b > tolerance_m_) ||
                            (side_a > tolerance_m_ && side_b < -tolerance_m_);
       if (crosses) {
-        const Vec3 p = a + (b - a) * (side_a / (side_a - side_b));
+        const Vec3 p = zero_crossing(a, side_a, b, side_b);
         still_inside_.push_back(p);
         next_corners_.push_back(p);
       }

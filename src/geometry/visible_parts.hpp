@@ -1,4 +1,5 @@
-// What a point sees of a polygon past others, exactly: convex parts, cut one occluder at a time.
+// The parts of a polygon that a point sees past occluders, exact: convex parts, cut by one occluder
+// at a time.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +10,15 @@
 
 namespace enfilade {
 
-/// Starts with a whole convex polygon and takes away what convex occluders hide of it from x
-/// (Nishita and Nakamae 1985). Corners lie one part after the other, so that nothing is allocated
-/// once it has been used.
+/// Starts with a whole convex polygon and takes away the parts that convex occluders hide from x
+/// (Nishita and Nakamae 1985). The corners of all parts lie in one array, so that an object that is
+/// used again allocates nothing.
 class VisibleParts {
  public:
-  /// `tolerance_m`: closer to a plane than this is on it.
+  /// Corners within `tolerance_m` of a plane count as on it.
   void begin(const Vec3& x, std::span<const Vec3> polygon, double tolerance_m);
-  /// Cuts away the shadow of an occluder; one that is seen edge-on has none. False where there are
-  /// more than `most` parts then.
+  /// Cuts away the shadow of an occluder; an occluder seen edge-on has none. Returns false where
+  /// more than `most` parts are left.
   bool hide(std::span<const Vec3> occluder, std::size_t most = 48);
 
   bool empty() const { return ends_.empty(); }

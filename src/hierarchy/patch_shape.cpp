@@ -2,22 +2,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/clip.hpp"
 #include "hierarchy/patch.hpp"
 
 namespace enfilade {
 namespace {
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// The parts of a convex polygon where dot(axis, p) is below and above `at`.
 std::pair<PatchOutline, PatchOutline> cut(const PatchOutline& vertices, const Vec2& axis,
                                           double at) {
-  Vec2 a = vertices.back();
-  double side_a = glm::dot(axis, a) - at;
+  const auto side = [&](const Vec2& p) { return glm::dot(axis, p) - at; };
   std::size_t crossings = 0, size_below = 0;
-  bool was_below = side_a < 0.0;
+  bool was_below = side(vertices.back()) < 0.0;
   for (const Vec2& b : vertices) {
-    const bool is_below = glm::dot(axis, b) - at < 0.0;
+    const bool is_below = side(b) < 0.0;
     if (is_below) ++size_below;
     if (is_below != was_below) ++crossings;
     was_below = is_below;
@@ -26,17 +24,13 @@ std::pair<PatchOutline, PatchOutline> cut(const PatchOutline& vertices, const Ve
   auto& [below, above] = parts;  // as large as they are: there are millions of patches
   below.reserve(size_below + crossings);
   above.reserve(vertices.size() - size_below + crossings);
-  for (const Vec2& b : vertices) {
-    const double side_b = glm::dot(axis, b) - at;
-    if ((side_a < 0.0) != (side_b < 0.0)) {
-      const Vec2 p = a + (b - a) * (side_a / (side_a - side_b));
-      below.push_back(p);
-      above.push_back(p);
-    }
-    (side_b < 0.0 ? below : above).push_back(b);
-    a = b;
-    side_a = side_b;
-  }
+  walk_cut(
+      vertices, side,
+      [&](const Vec2& p, bool is_below) { (is_below ? below : above).push_back(p); },
+      [&](const Vec2& p) {
+        below.push_back(p);
+        above.push_back(p);
+      });
   return parts;
 }
 
@@ -44,16 +38,13 @@ std::pair<PatchOutline, PatchOutline> cut(const PatchOutline& vertices, const Ve
 std::pair<double, double> chord(const PatchOutline& vertices, const Vec2& axis, double at,
                                 const Vec2& along) {
   double first = 1e300, last = -1e300;
-  Vec2 a = vertices.back();
-  for (const Vec2& b : vertices) {
-    const double side_a = glm::dot(axis, a) - at, side_b = glm::dot(axis, b) - at;
-    if ((side_a < 0.0) != (side_b < 0.0)) {
-      const double t = glm::dot(along, a + (b - a) * (side_a / (side_a - side_b)));
-      first = std::min(first, t);
-      last = std::max(last, t);
-    }
-    a = b;
-  }
+  walk_cut(
+      vertices, [&](const Vec2& p) { return glm::dot(axis, p) - at; }, [](const Vec2&, bool) {},
+      [&](const Vec2& p) {
+        const double t = glm::dot(along, p);
+        first = std::min(first, t);
+        last = std::max(last, t);
+      });
   return {first, last};
 }
 
@@ -120,13 +111,9 @@ Vec2 PatchShape::point_in_quarter(int quarter, double r1, double r2) const {
   const Vec2 half = deviations() * std::numbers::sqrt3;  // a rectangle's half sides
   const Vec2 p = centroid + ((quarter & 1) != 0 ? r1 : -r1) * half.x * e1 +
                  ((quarter & 2) != 0 ? r2 : -r2) * half.y * e2;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec2 v = vertices[i];
-    if (cross2(vertices[(i + 1) % vertices.size()] - v, p - v) < 0.0) {
-      return quadrature()[static_cast<std::size_t>(quarter)];
-    }
-  }
-  return p;
+  return contains({vertices.data(), vertices.size()}, p)
+             ? p
+             : quadrature()[static_cast<std::size_t>(quarter)];
 }
 
 PatchCut PatchShape::cut(std::span<const MeshLine> lines) const {

@@ -99,12 +99,12 @@ class ModelReader {
 
  private:
   Spectrum reflectance_of(const aiColor4D& base, const std::string& where) {
-    // White in these formats is a colour, not a promise that nothing is absorbed.
-    constexpr double brightest = 0.95;
+    // White is a colour in these formats, and may absorb light; a reflectance lies below 1.
+    constexpr double highest_reflectance = 0.95;
     Spectrum bands;
     bool clamped = false;
     for (const double c : {base.r, base.g, base.b}) {
-      bands.push_back(std::isfinite(c) ? std::clamp(c, 0.0, brightest) : 0.0);
+      bands.push_back(std::isfinite(c) ? std::clamp(c, 0.0, highest_reflectance) : 0.0);
       clamped |= bands.back() != c;
     }
     if (clamped) warnings_.add(where, "base colour above 0.95: reflectance taken as 0.95");

@@ -5,7 +5,8 @@
 
 namespace enfilade {
 
-/// Reads a .rad file and those that it takes in by plain !xform, in metres and W/m2, three bands.
+/// Reads a .rad file and the files that it includes by plain !xform, in metres and W/m2, three
+/// bands.
 /// Surfaces reflect on both sides and emit from their front alone. Warns of all that is left out.
 Scene import_radiance(const std::string& path, Warnings& warnings);
 

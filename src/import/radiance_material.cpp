@@ -43,7 +43,7 @@ Spectrum color(const RadiancePrimitive& material) {
 
 RadianceMaterial reflecting(const RadiancePrimitive& material, const Layout& layout) {
   // A scene's reflectance lies below 1; Radiance takes 1 and more.
-  constexpr double brightest = 0.999;
+  constexpr double highest_reflectance = 0.999;
   RadianceMaterial result;
   const double specular = share(material, layout.specular);
   const double passing = layout.transmission > 0 ? share(material, layout.transmission) : 0.0;
@@ -51,8 +51,8 @@ RadianceMaterial reflecting(const RadiancePrimitive& material, const Layout& lay
   bool clamped = false;
   for (double& band : result.reflectance) {
     band *= (1.0 - specular) * (1.0 - passing);
-    clamped |= band > brightest;
-    band = std::min(band, brightest);
+    clamped |= band > highest_reflectance;
+    band = std::min(band, highest_reflectance);
   }
   if (clamped) result.losses.push_back("reflectance of 1 or more: taken as 0.999");
   if (specular > 0.0) result.losses.push_back("specular reflection left out");

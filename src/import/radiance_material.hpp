@@ -10,8 +10,8 @@ namespace enfilade {
 struct RadianceMaterial {
   Spectrum reflectance{0.0, 0.0, 0.0};  ///< of both sides
   Spectrum exitance{0.0, 0.0, 0.0};     ///< W/m2, of the front alone
-  bool passes_light = false;            ///< nothing that a ray would meet: to be left out
-  std::vector<std::string> losses;      ///< what of it a scene can't hold, for warnings
+  bool passes_light = false;            ///< rays pass through it: shapes of it are left out
+  std::vector<std::string> losses;      ///< properties that a scene can't hold, for warnings
 
   bool reflects() const;
   bool emits() const;

@@ -57,8 +57,8 @@ RadianceMaterial RadianceModifiers::material_of(const RadiancePrimitive& shape,
   result = *modifier.material;
   end_of(modifier.before, patterned);
   if (modifier.alternate) {
-    if (const Link look = end_of(modifier.alternate, patterned))
-      result.reflectance = modifiers_[*look].material->reflectance;
+    if (const Link alternate = end_of(modifier.alternate, patterned))
+      result.reflectance = modifiers_[*alternate].material->reflectance;
   }
   if (!modifier.warned) {
     modifier.warned = true;

@@ -15,8 +15,8 @@ class RadianceModifiers {
   /// from there on. Fails for a modifier or an alias of something not defined.
   void define(const RadiancePrimitive& primitive);
 
-  /// The material of a shape; its first use warns of what is lost. Fails where the shape's modifier
-  /// is not defined. A chain that ends at void leads to none, which passes light.
+  /// The material of a shape; its first use warns of the properties that are lost. Fails where the
+  /// shape's modifier is not defined. A chain that ends at void leads to none, which passes light.
   RadianceMaterial material_of(const RadiancePrimitive& shape, Warnings& warnings);
 
  private:

@@ -36,10 +36,7 @@ void add_band(const Polygon& low, const Polygon& high, std::vector<Polygon>& pol
 struct AxisFrame {
   Vec3 axis, x, y;
   explicit AxisFrame(const Vec3& direction) : axis(glm::normalize(direction)) {
-    const Vec3 a = glm::abs(axis);
-    const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0)
-                       : a.y <= a.z             ? Vec3(0, 1, 0)
-                                                : Vec3(0, 0, 1);
+    const Vec3 least = least_axis(axis);
     x = glm::normalize(least - glm::dot(least, axis) * axis);
     y = glm::cross(axis, x);
   }

@@ -58,8 +58,7 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ":" + std::to_string(column);
 }
 
-// The library's own words without its prefix "[json.exception...] parse error at line 1, column 2:
-// ".
+// The library's message without its prefix "[json.exception...] parse error at line 1, column 2: ".
 std::string plain_fault(const std::string& message) {
   const std::size_t syntax = message.find("syntax error");
   if (syntax != std::string::npos) return message.substr(syntax);

@@ -1,4 +1,4 @@
-// JSON files read so that every fault can be told by file, line and key.
+// JSON files, read so that every fault names its file, line and key.
 #pragma once
 
 #include <nlohmann/json.hpp>

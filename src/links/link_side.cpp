@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/clip.hpp"
 #include "links/link_estimate.hpp"
 
 namespace enfilade {

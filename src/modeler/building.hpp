@@ -43,7 +43,7 @@ enum class Windows { open, closed, none };
 /// floor.
 struct Building {
   std::string file = "building";         ///< where it was described, for messages
-  std::vector<std::string> option_keys;  ///< what the command line says otherwise
+  std::vector<std::string> option_keys;  ///< keys whose values the command line sets
   int floors = 2;
   std::vector<Wing> wings{Wing{}};
   int stairs = 1;      ///< stairwells, spread along the corridor, each in place of one left room
@@ -75,8 +75,8 @@ struct Building {
   bool is_furnace() const { return furnace > 0.0; }
   double storey_height_m() const { return room_height_m + slab_m; }
   int bays() const;
-  /// What is wrong with the value of a key, by its path (wings[2].turn): told of the file, or of
-  /// the option that put it there.
+  /// An error about the value of a key, by its path (wings[2].turn): it names the file, or the
+  /// option of the command line that set the value.
   InputError fault(const std::string& key, const std::string& what, const std::string& hint) const;
 };
 

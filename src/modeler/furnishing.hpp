@@ -1,4 +1,4 @@
-// Which room gets what, and where in the room it stands.
+// Which space gets which furniture, and where in the space it stands.
 #pragma once
 
 #include <vector>

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double glide_m = 0.01;  // under feet, and between parts
 
-// A box of which the underside shines.
+// A box whose underside emits.
 void add_lit_box(SurfaceSink& sink, const Frame& f, const Vec3& lo, const Vec3& hi) {
   const Finish lamp{Material::lamp, 0};
   const auto side = [&](Vec2 a, Vec2 b) {

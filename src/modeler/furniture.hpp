@@ -9,9 +9,10 @@ namespace enfilade {
 /// round one stands around it.
 Vec2 footprint_m(FurnitureKind kind);
 
-/// Nothing touches: parts of a piece keep a shadow gap, and stand on glides. Where polygons lie on
-/// each other, a part of each is dark, and the floor would have to be cut around every foot.
-/// `variant` chooses cloth and wood. The frame's y points to who uses it (a chair's sitter looks
+/// Adds a piece of furniture. Its parts keep a gap from each other and stand on glides: where
+/// polygons lie on each other, light reaches no more than a part of each, and the floor would have
+/// to be cut around every foot.
+/// `variant` chooses cloth and wood. The frame's y points to its user (a chair's sitter looks
 /// along y; a shelf's back is at y = 0), its z is the floor, the desk's top or the ceiling.
 void add_furniture(SurfaceSink& sink, FurnitureKind kind, const Frame& frame, unsigned variant);
 

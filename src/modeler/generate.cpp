@@ -24,7 +24,7 @@ void add_shells(SurfaceSink& sink, const Building& building, const BuildingPlan&
   }
 }
 
-// In the middle of every room, level.
+// A probe in the middle of every room, facing up.
 void add_probes(const SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
                 const Storey& storey, std::vector<Probe>& probes) {
   for (const Bay& bay : plan.bays) {

@@ -1,4 +1,4 @@
-// What things are made of, and how much of the light they give back.
+// Materials and their reflectances.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -1,4 +1,4 @@
-// What the building shows to the outside.
+// The outer faces of the building.
 #include "modeler/storey.hpp"
 
 namespace enfilade {

@@ -34,7 +34,7 @@ std::string corridor_name(const Storey& storey, const Bay& bay) {
   return "floor " + std::to_string(storey.number) + "/corridor " + std::to_string(bay.index + 1);
 }
 
-// Who looks at the door from the room has the room's x on the left.
+// Seen from the room, the room's x axis points to the left at the door.
 Passage door_of(const Building& building, const RoomPlan& room, const Storey& storey) {
   const double x0 = door_from_corner_m, x1 = x0 + building.door_width_m;
   return {room.world(x1, 0.0),

@@ -1,4 +1,5 @@
-// Where finished polygons go: turned, given their light, and handed on one by one.
+// Takes finished polygons, turns them as the building is turned, gives them reflectance and
+// exitance and hands them on one by one.
 #pragma once
 
 #include <functional>
@@ -24,7 +25,7 @@ class SurfaceSink {
   void add_light(Polygon polygon, const Finish& finish, const char* name) {
     emit(std::move(polygon), finish, name, lamp_exitance_);
   }
-  /// p turned as the building is.
+  /// p, turned as the building is.
   Vec3 placed(const Vec3& p) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "occluders/occluders.hpp"
 
+#include "geometry/clip.hpp"
 #include "geometry/shaft_tree.hpp"
 
 namespace enfilade {
@@ -68,12 +69,7 @@ bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blo
     for (const Vec3& q : b) {
       const double side_q = plane.signed_distance(q);
       if (side_p * side_q >= 0.0) return false;
-      const Vec3 x = p + (q - p) * (side_p / (side_p - side_q));
-      for (std::size_t i = 0; i < wall.size(); ++i) {
-        const Vec3& v = wall[i];
-        const Vec3& w = wall[(i + 1) % wall.size()];
-        if (glm::dot(glm::cross(w - v, x - v), plane.n) < 0.0) return false;
-      }
+      if (!contains(wall, plane.n, zero_crossing(p, side_p, q, side_q))) return false;
     }
   }
   return true;

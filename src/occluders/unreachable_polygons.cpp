@@ -61,15 +61,11 @@ class RoughLight {
 /// A ray from anywhere on the polygon, its direction by the cosine.
 RayHit RoughLight::cast(std::uint32_t polygon, double r2, Random& random) const {
   const Place& place = places_[polygon];
-  const Polygon& corners = *place.polygon;
   // A ray that starts on the rim would slip behind a polygon that meets it there.
   const double inside = 1.0 - std::clamp(8.0 * occluders_.rays().epsilon_m() /
                                              std::sqrt(std::max(place.area_m2, 1e-30)),
                                          1e-3, 0.5);
-  const std::size_t corner = 2 + random.below(corners.size() - 2);
-  const double s = std::sqrt(random.uniform()), t = random.uniform();
-  const Vec3 any =
-      (1.0 - s) * corners[0] + s * ((1.0 - t) * corners[corner - 1] + t * corners[corner]);
+  const Vec3 any = random_point(*place.polygon, random);
   ++work_.rays;
   return occluders_.rays().closest(place.middle + inside * (any - place.middle),
                                    cosine_direction(place.n, r2, random.uniform()), polygon);
@@ -91,10 +87,8 @@ void RoughLight::shine(int rays) {
     const double power = 4.0 * std::numbers::pi * most(light.intensity) / rays;
     for (int i = 0; i < rays; ++i) {
       const double z = 2.0 * (i + random.uniform()) / rays - 1.0;
-      const double turn = 2.0 * std::numbers::pi * random.uniform(), r = std::sqrt(1.0 - z * z);
       ++work_.rays;
-      arrive(occluders_.rays().closest(light.p, {r * std::cos(turn), r * std::sin(turn), z}),
-             power);
+      arrive(occluders_.rays().closest(light.p, sphere_direction(z, random.uniform())), power);
     }
   }
 }

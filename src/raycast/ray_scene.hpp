@@ -11,7 +11,7 @@
 
 namespace enfilade {
 
-/// What a ray met first.
+/// The first polygon that a ray meets.
 struct RayHit {
   std::uint32_t polygon = 0xFFFFFFFFu;  ///< index into the polygons given; none = nothing was hit
   double distance_m = 0.0;
@@ -25,26 +25,50 @@ enum class RayStart { on_polygon, in_air };
 
 /// Convex polygons in an Embree BVH, in robust mode, with coordinates shifted to their centre so
 /// that single precision is relative to the scene's size and not to its place. Polygons block from
-/// both sides.
+/// both sides. Queries change nothing, and may come from several threads.
 class RayScene {
  public:
   static constexpr std::uint32_t no_polygon = 0xFFFFFFFFu;
 
+  /// A ray, and the polygon that it passes through.
+  struct Ray {
+    Vec3 from{0.0};
+    Vec3 direction{0.0, 0.0, 1.0};  ///< of any length but 0
+    std::uint32_t skip = no_polygon;
+    double max_distance_m = 1e30;
+  };
+  /// A segment, and the two polygons that it passes through: those that its ends lie on.
+  struct Sight {
+    Vec3 a{0.0}, b{0.0};
+    std::uint32_t skip_a = no_polygon, skip_b = no_polygon;
+  };
+
+  /// Throws RunError where Embree cannot start or lacks memory.
   explicit RayScene(std::span<const Polygon> polygons);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Is there anything between a and b, other than the polygons numbered skip_a and skip_b?
+  /// Is there a polygon between a and b, other than those numbered skip_a and skip_b?
   bool occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a = no_polygon,
                 std::uint32_t skip_b = no_polygon, RayStart start = RayStart::on_polygon) const;
-  /// First hit from `from` along `direction` (any length), skipping polygon `skip`. Of polygons in
-  /// one place, one that shows its front.
+  /// Answers `occluded` for each segment: blocked[i] is 1 where segment i is blocked, else 0. Both
+  /// spans have the same size.
+  void occluded(std::span<const Sight> segments, std::span<std::uint8_t> blocked,
+                RayStart start = RayStart::on_polygon) const;
+
+  /// First hit from `from` along `direction` (any length but 0), skipping polygon `skip`. Of
+  /// polygons in one place, one that shows its front.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30, RayStart start = RayStart::on_polygon) const;
+  /// The first hit of each ray; both spans have the same size.
+  void closest(std::span<const Ray> rays, std::span<RayHit> hits,
+               RayStart start = RayStart::on_polygon) const;
+
   /// Rays are blind this close to an end on a polygon: about the single-precision step at the
   /// scene's extent.
   double epsilon_m() const;
+  /// Memory of the BVH and of what is kept beside it, estimated.
   std::size_t bytes() const;
 
  private:

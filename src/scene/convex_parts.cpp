@@ -11,9 +11,7 @@
 namespace enfilade {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross2(b - a, c - b); }
 
 // Takes out vertices that repeat their neighbour, and those where the outline runs back on itself.
 Polygon without_repeats(Polygon p, double same) {
@@ -59,7 +57,7 @@ bool turns_left_once(const std::vector<Vec2>& p) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = p[i] - p[(i + n - 1) % n], out = p[(i + 1) % n] - p[i];
-    const double cross = in.x * out.y - in.y * out.x;
+    const double cross = cross2(in, out);
     if (cross < 0.0) return false;
     total += std::atan2(cross, glm::dot(in, out));
   }
@@ -100,7 +98,7 @@ std::vector<std::size_t> nearly_convex(const std::vector<Vec2>& p, double tolera
     kept.push_back(a);
     for (std::size_t i = (a + 1) % p.size(); i != b; i = (i + 1) % p.size()) {
       const Vec2 v = p[i] - p[a];
-      const double depth = along.x * v.y - along.y * v.x, t = glm::dot(v, along);
+      const double depth = cross2(along, v), t = glm::dot(v, along);
       if (depth > tolerance || t < reached - tolerance) return {};
       if (depth <= exact && t > reached && t < length) kept.push_back(i);
       reached = std::max(reached, t);

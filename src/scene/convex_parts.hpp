@@ -1,4 +1,4 @@
-// What shape a polygon has, and the planar convex parts that it is made of.
+// The shape of an input polygon, and its planar convex parts.
 #pragma once
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/box_tree.hpp"
+#include "geometry/clip.hpp"
 #include "scene/convex_parts.hpp"
 
 namespace enfilade {

@@ -23,7 +23,7 @@ Spectrum pick(const Spectrum& values, std::span<const std::size_t> bands) {
 }  // namespace
 
 void merge_equal_bands(Scene& scene) {
-  if (!scene.band_of.empty()) return;  // they have been
+  if (!scene.band_of.empty()) return;  // the bands have been merged already
   const auto bands = static_cast<std::size_t>(scene.bands);
   std::vector<std::size_t> kept, band_of;
   for (std::size_t b = 0; b < bands; ++b) {

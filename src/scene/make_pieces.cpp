@@ -37,7 +37,7 @@ void refuse_far(const Scene& scene) {
   }
 }
 
-// Parts of one surface, with whatever there is to say about its shape.
+// Convex parts of one surface; adds the warnings about its shape.
 std::vector<Polygon> parts_of(const Scene& scene, SurfaceId id, const SceneScale& scale,
                               Warnings& warnings, PieceReport& report) {
   ConvexParts found = convex_parts(scene.surfaces[id.index()].vertices, scale);

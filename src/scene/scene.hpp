@@ -30,7 +30,7 @@ struct PointLight {
   Spectrum intensity;
 };
 
-/// Where irradiance is asked for: on a plane through p with normal n.
+/// A place where irradiance is computed: on a plane through p with normal n.
 struct Probe {
   Vec3 p{0.0};
   Vec3 n{0.0, 0.0, 1.0};
@@ -39,7 +39,7 @@ struct Probe {
 enum class ExitanceUnit { watt_per_m2, lumen_per_m2 };
 /// "W/m2" or "lm/m2".
 const char* name_of(ExitanceUnit unit);
-/// What an irradiance in this unit is shown as: "W/m2" or "lx".
+/// The label of an irradiance in this unit: "W/m2" or "lx".
 const char* irradiance_label(ExitanceUnit unit);
 
 struct Scene {
@@ -64,8 +64,8 @@ struct Piece {
 };
 
 struct PieceReport {
-  double covered_area_m2 =
-      0.0;  ///< area left out: covered by a coplanar surface in front, or duplicated
+  /// Area left out: covered by a coplanar surface in front, or duplicated.
+  double covered_area_m2 = 0.0;
   std::size_t dropped = 0;  ///< surfaces without area, and duplicates
   std::size_t split = 0;    ///< surfaces that were not planar or not convex
 };

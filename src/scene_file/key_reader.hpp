@@ -1,4 +1,4 @@
-// Values taken out of parsed JSON; whatever is wrong is told by its key.
+// Values taken out of parsed JSON; an error names the key of the value.
 #pragma once
 
 #include <nlohmann/json.hpp>

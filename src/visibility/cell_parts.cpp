@@ -23,18 +23,13 @@ void descend(const CellComplex& complex, const SourcePolygon& whole, Add add) {
     }
     const auto front = static_cast<std::size_t>(node.front);
     const auto back = static_cast<std::size_t>(node.back);
-    double lowest = 0.0, highest = 0.0;
-    for (const Vec3& p : part) {
-      const double distance = node.plane.signed_distance(p);
-      lowest = std::min(lowest, distance);
-      highest = std::max(highest, distance);
-    }
-    if (lowest >= -fine && highest <= fine) {
+    const DistanceRange range = distances(part, node.plane);
+    if (range.lowest >= -fine && range.highest <= fine) {
       jobs.emplace_back(glm::dot(whole.plane.n, node.plane.n) >= 0.0 ? front : back,
                         std::move(part));
-    } else if (lowest >= -fine) {
+    } else if (range.lowest >= -fine) {
       jobs.emplace_back(front, std::move(part));
-    } else if (highest <= fine) {
+    } else if (range.highest <= fine) {
       jobs.emplace_back(back, std::move(part));
     } else {
       auto [before, behind] = split(part, node.plane, 0.0);

@@ -10,8 +10,7 @@ bool any_in_front(const Polygon& polygon, const Plane& plane, double flat_m) {
 }
 
 bool any_in_front(const Box& box, const Plane& plane, double flat_m) {
-  const Vec3 half = 0.5 * box.extent();
-  return plane.signed_distance(box.center()) + glm::dot(glm::abs(plane.n), half) > flat_m;
+  return highest_distance(box, plane) > flat_m;
 }
 
 bool face_each_other(std::span<const SourcePolygon> a, const Box& a_box,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/sampling.hpp"
 #include "visibility/facing.hpp"
 
 namespace enfilade {
@@ -25,16 +26,10 @@ struct Corners {
 // Of the smallest box along the axes that holds all parts.
 Corners corners(const std::vector<LineSpacePart>& parts, const std::array<Vec3, 3>& axes) {
   Box box;
-  for (const LineSpacePart& part : parts) {
-    for (const Vec3& p : part.polygon()) {
-      box.add(Vec3(glm::dot(p, axes[0]), glm::dot(p, axes[1]), glm::dot(p, axes[2])));
-    }
-  }
+  for (const LineSpacePart& part : parts) box.add(bounds_along(part.polygon(), axes));
   Corners found;
-  for (int i = 0; i < 8; ++i) {
-    found.points.push_back((i & 1 ? box.hi.x : box.lo.x) * axes[0] +
-                           (i & 2 ? box.hi.y : box.lo.y) * axes[1] +
-                           (i & 4 ? box.hi.z : box.lo.z) * axes[2]);
+  for (const Vec3& c : box.corners()) {
+    found.points.push_back(c.x * axes[0] + c.y * axes[1] + c.z * axes[2]);
   }
   const Vec3 e = box.extent();
   found.volume_m3 = e.x * e.y * e.z;
@@ -76,7 +71,7 @@ std::vector<Vec3> clip_points(const std::vector<Vec3>& points, const Plane& plan
     if (dp <= 0.0) continue;
     for (const Vec3& q : points) {
       const double dq = sign * plane.signed_distance(q);
-      if (dq < 0.0) kept.push_back(p + dp / (dp - dq) * (q - p));
+      if (dq < 0.0) kept.push_back(zero_crossing(p, dp, q, dq));
     }
   }
   return kept;
@@ -124,18 +119,11 @@ HalfSpaces penumbra(const std::vector<Vec3>& points, const Window& window, doubl
   return spaces;
 }
 
-bool inside(const Polygon& polygon, const Vec3& n, const Vec3& p) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    if (glm::dot(glm::cross(n, edge), p - polygon[i]) < 0.0) return false;
-  }
-  return true;
-}
-
-Vec3 random_point(const Polygon& p, Random& random) {
-  const std::size_t k = p.size() <= 3 ? 1 : 1 + random.below(p.size() - 2);
-  const double s = std::sqrt(random.uniform()), t = random.uniform();
-  return (1.0 - s) * p[0] + s * ((1.0 - t) * p[k] + t * p[k + 1]);
+// Of a triangle no number is drawn for which triangle of the fan it is.
+Vec3 point_on(const Polygon& p, Random& random) {
+  if (p.size() > 3) return random_point(p, random);
+  const double r1 = random.uniform(), r2 = random.uniform();
+  return point_in_triangle(p[0], p[1], p[2], r1, r2);
 }
 
 bool passes(const Window& window, const Vec3& p, const Vec3& d) {
@@ -143,7 +131,7 @@ bool passes(const Window& window, const Vec3& p, const Vec3& d) {
   if (along == 0.0) return false;
   const Vec3 hit = p + glm::dot(window.n, window.polygon[0] - p) / along * d;
   const Vec3 n = normal(window.polygon);
-  return inside(window.polygon, n, hit);
+  return contains_within(window.polygon, n, hit, 0.0);
 }
 
 // From a point of the side on, through point w of a window, to the other side.
@@ -151,7 +139,7 @@ std::optional<SampledLine> line_through(const LineSpace& lines, bool from_a, con
                                         Random& random) {
   const LineSpaceSide &near = from_a ? lines.a : lines.b, &far = from_a ? lines.b : lines.a;
   const LineSpacePart& start = near.parts[random.below(near.parts.size())];
-  const Vec3 p = random_point(start.polygon(), random);
+  const Vec3 p = point_on(start.polygon(), random);
   const Vec3 d = w - p;
   if (glm::dot(start.plane().n, d) <= 0.0) return {};
   for (const Window& window : lines.windows) {
@@ -162,7 +150,7 @@ std::optional<SampledLine> line_through(const LineSpace& lines, bool from_a, con
     const double along = glm::dot(plane.n, d);
     if (along >= 0.0) continue;
     const double t = -plane.signed_distance(p) / along;
-    if (t <= 1.0 || !inside(part.polygon(), plane.n, p + t * d)) continue;
+    if (t <= 1.0 || !contains_within(part.polygon(), plane.n, p + t * d, 0.0)) continue;
     const Vec3 q = p + t * d;
     return from_a ? SampledLine{&start, &part, p, q} : SampledLine{&part, &start, q, p};
   }
@@ -174,12 +162,7 @@ int where(const LineSpaceSide& side, const Plane& plane, double tolerance_m) {
   double lowest = 0.0, highest = 0.0;
   bool flat_front = false, flat_back = false;
   for (const LineSpacePart& part : side.parts) {
-    double low = 0.0, high = 0.0;
-    for (const Vec3& p : part.polygon()) {
-      const double d = plane.signed_distance(p);
-      low = std::min(low, d);
-      high = std::max(high, d);
-    }
+    const auto [low, high, sum] = distances(part.polygon(), plane);
     lowest = std::min(lowest, low);
     highest = std::max(highest, high);
     // A polygon in the plane itself: nothing there hides what it looks at.
@@ -193,12 +176,7 @@ int where(const LineSpaceSide& side, const Plane& plane, double tolerance_m) {
 }
 
 int where(const Window& window, const Plane& plane, double tolerance_m) {
-  double lowest = 0.0, highest = 0.0;
-  for (const Vec3& p : window.polygon) {
-    const double d = plane.signed_distance(p);
-    lowest = std::min(lowest, d);
-    highest = std::max(highest, d);
-  }
+  const auto [lowest, highest, sum] = distances(window.polygon, plane);
   const double flat_m = rounding_m(tolerance_m);
   if (lowest >= -flat_m && highest > 2.0 * tolerance_m) return 1;
   return highest <= flat_m && lowest < -2.0 * tolerance_m ? -1 : 0;
@@ -344,7 +322,7 @@ std::optional<SampledLine> draw_line(const LineSpace& lines, Random& random) {
       continue;
     }
     const Window& window = lines.windows[random.below(lines.windows.size())];
-    const Vec3 w = random_point(window.polygon, random);
+    const Vec3 w = point_on(window.polygon, random);
     if (auto line = line_through(lines, random.below(2) == 0, w, random)) return line;
   }
   return {};
@@ -353,8 +331,8 @@ std::optional<SampledLine> draw_line(const LineSpace& lines, Random& random) {
 std::optional<SampledLine> draw_any_line(const LineSpace& lines, Random& random) {
   const LineSpacePart& from = lines.a.parts[random.below(lines.a.parts.size())];
   const LineSpacePart& to = lines.b.parts[random.below(lines.b.parts.size())];
-  const Vec3 p = random_point(from.polygon(), random);
-  const Vec3 q = random_point(to.polygon(), random);
+  const Vec3 p = point_on(from.polygon(), random);
+  const Vec3 q = point_on(to.polygon(), random);
   if (from.plane().signed_distance(q) <= 0.0 || to.plane().signed_distance(p) <= 0.0) {
     return {};
   }

@@ -17,13 +17,6 @@ double rounding(const Box& box) {
   return std::max(flat_relative * box.diagonal(), 1e-15 * coordinate);
 }
 
-bool lies_flat(const Polygon& polygon, double tolerance_m) {
-  const Plane plane = plane_of(polygon);
-  return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) {
-    return std::abs(plane.signed_distance(p)) <= tolerance_m;
-  });
-}
-
 }  // namespace
 
 OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
@@ -37,7 +30,7 @@ OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
   std::vector<std::uint32_t> of;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     const Polygon& p = polygons[i];
-    flat_.push_back(lies_flat(p, flat_m));
+    flat_.push_back(lies_in(p, plane_of(p), flat_m));
     if (flat_.back()) {
       parts.push_back({SurfaceId(i), p});
       of.push_back(i);

@@ -23,11 +23,7 @@ using Halves = std::array<std::vector<LineSpacePart>, 2>;
 Halves cut_along(const LineSpaceSide& side, const Plane& plane, double flat_m) {
   Halves halves;
   for (const LineSpacePart& part : side.parts) {
-    double low = 0.0, high = 0.0;
-    for (const Vec3& p : part.polygon()) {
-      low = std::min(low, plane.signed_distance(p));
-      high = std::max(high, plane.signed_distance(p));
-    }
+    const auto [low, high, sum] = distances(part.polygon(), plane);
     const double facing = glm::dot(part.plane().n, plane.n);
     if (std::max(high, -low) <= flat_m && std::abs(facing) >= 0.5) {
       halves[facing > 0.0 ? 1 : 0].push_back(part);
@@ -45,8 +41,7 @@ Halves cut_along(const LineSpaceSide& side, const Plane& plane, double flat_m) {
 /// By position where there are several, else cut in the middle.
 Halves halves_of(const LineSpaceSide& side) {
   Plane plane;
-  const Vec3 e = side.box.extent();
-  const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+  const int axis = side.box.longest_axis();
   plane.n = Vec3(0.0);
   plane.n[axis] = 1.0;
   plane.d = side.box.center()[axis];
@@ -85,10 +80,7 @@ bool is_known(const LineSpace& lines, const Plane& plane, const LineSpaceCrossin
   constexpr double much = 0.9;
   for (std::size_t i = at.first; i < at.end; ++i) {
     const Polygon& window = lines.windows[i].polygon;
-    const bool flat = std::all_of(window.begin(), window.end(), [&](const Vec3& p) {
-      return std::abs(plane.signed_distance(p)) <= flat_m;
-    });
-    if (flat && open_m2 > much * area_m2(window)) return true;
+    if (lies_in(window, plane, flat_m) && open_m2 > much * area_m2(window)) return true;
   }
   return false;
 }

@@ -98,12 +98,8 @@ class Search {
       box.add(bounds(s->polygon));
     }
     if (points.size() <= most_points) return points;
-    points.clear();
-    for (int corner = 0; corner < 8; ++corner) {
-      points.emplace_back(corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
-                          corner & 4 ? box.hi.z : box.lo.z);
-    }
-    return points;
+    const std::array<Vec3, 8> corners = box.corners();
+    return {corners.begin(), corners.end()};
   }
 
   const DoorwayMap& doorways_;

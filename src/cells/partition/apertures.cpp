@@ -14,15 +14,6 @@ struct Opening {
   Vec3 n;  ///< by its own order of vertices
 };
 
-bool inside(const Polygon& polygon, const Vec3& n, const Vec3& p) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3& a = polygon[i];
-    const Vec3& b = polygon[(i + 1) % polygon.size()];
-    if (glm::dot(glm::cross(b - a, p - a), n) < 0.0) return false;
-  }
-  return true;
-}
-
 class Apertures {
  public:
   Apertures(std::span<LeafInterface> faces, const BspCut& cut,
@@ -70,13 +61,13 @@ class Apertures {
   }
   bool is_open(const Vec3& p) const {
     return std::any_of(openings_.begin(), openings_.end(), [&](const Opening& o) {
-      return o.box.contains(p, 0.1 * reach_m_) && inside(*o.polygon, o.n, p);
+      return o.box.contains(p, 0.1 * reach_m_) && contains(*o.polygon, o.n, p);
     });
   }
   bool is_covered(const Vec3& p) const {
     for (std::size_t k = 0; k < cut_.covered_by.size(); ++k) {
       const InPlane& c = cut_.covered_by[k];
-      if (c.box.contains(p, reach_m_) && inside(c.polygon, cover_normals_[k], p)) return true;
+      if (c.box.contains(p, reach_m_) && contains(c.polygon, cover_normals_[k], p)) return true;
     }
     return false;
   }

@@ -81,12 +81,8 @@ Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const Pl
   Sides sides;
   const Plane& plane = planes.planes[plane_index];
   for (Fragment& fragment : fragments) {
-    bool any_front = false, any_behind = false;
-    for (const Vec3& p : fragment.polygon) {
-      const double distance = plane.signed_distance(p);
-      any_front |= distance > tolerance;
-      any_behind |= distance < -tolerance;
-    }
+    const DistanceRange range = distances(fragment.polygon, plane);
+    const bool any_front = range.highest > tolerance, any_behind = range.lowest < -tolerance;
     if (fragment.plane == plane_index || (!any_front && !any_behind)) {
       const Vec3& n = planes.planes[fragment.plane].n;
       const bool same = fragment.same_facing == (glm::dot(n, plane.n) >= 0.0);

@@ -13,12 +13,8 @@ namespace {
 enum class Place { front, back, both, in_plane };
 
 Place place_of(const Polygon& polygon, const Plane& plane, double tolerance) {
-  bool any_front = false, any_back = false;
-  for (const Vec3& p : polygon) {
-    const double distance = plane.signed_distance(p);
-    any_front |= distance > tolerance;
-    any_back |= distance < -tolerance;
-  }
+  const DistanceRange range = distances(polygon, plane);
+  const bool any_front = range.highest > tolerance, any_back = range.lowest < -tolerance;
   if (any_front && any_back) return Place::both;
   return any_front ? Place::front : any_back ? Place::back : Place::in_plane;
 }

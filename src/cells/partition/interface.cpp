@@ -23,15 +23,9 @@ std::vector<LeafPart> push_to_leaves(const BspTree& tree, std::int32_t root, Pol
       parts.emplace_back(node.cell.value, std::move(part));
       continue;
     }
-    double lowest = 0.0, highest = 0.0, sum = 0.0;
-    for (const Vec3& p : part) {
-      const double distance = node.plane.signed_distance(p);
-      lowest = std::min(lowest, distance);
-      highest = std::max(highest, distance);
-      sum += distance;
-    }
-    if (lowest >= -tolerance || highest <= tolerance) {
-      jobs.emplace_back(sum >= 0.0 ? node.front : node.back, std::move(part));
+    const DistanceRange range = distances(part, node.plane);
+    if (range.lowest >= -tolerance || range.highest <= tolerance) {
+      jobs.emplace_back(range.sum >= 0.0 ? node.front : node.back, std::move(part));
       continue;
     }
     auto [front, behind] = split(part, node.plane, tolerance);
@@ -39,12 +33,6 @@ std::vector<LeafPart> push_to_leaves(const BspTree& tree, std::int32_t root, Pol
     if (front.size() >= 3) jobs.emplace_back(node.front, std::move(front));
   }
   return parts;
-}
-
-double total_area(const std::vector<Polygon>& polygons) {
-  double sum = 0.0;
-  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
-  return sum;
 }
 
 void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
@@ -56,7 +44,7 @@ void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
 // Cuts the covering polygons of one facing away from `openings`; returns the area that they cover.
 double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
              double sliver_m) {
-  const double before = total_area(openings);
+  const double before = total_area_m2(openings);
   for (const InPlane* in_plane : covers) {
     if (in_plane->same_facing != facing || openings.empty()) continue;
     std::vector<Polygon> left;
@@ -72,7 +60,7 @@ double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& 
     drop_slivers(left, sliver_m);
     openings = std::move(left);
   }
-  return before - total_area(openings);
+  return before - total_area_m2(openings);
 }
 
 }  // namespace
@@ -104,7 +92,7 @@ std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m)
         std::vector<Polygon> rest = {std::move(common)};
         face.faces_back_m2 = cover(rest, near, false, sliver_m);
         cover(face.openings, near, false, sliver_m);
-        face.open_m2 = total_area(face.openings);
+        face.open_m2 = total_area_m2(face.openings);
         all.push_back(std::move(face));
       }
     }

@@ -37,12 +37,6 @@ bool is_canonical(const Vec3& n) {
 /// lies on a border between two classes, where rounding would decide.
 double size_class(double area, double steps) { return std::floor(steps * std::log2(area) + 0.5); }
 
-bool lies_in(const Polygon& polygon, const Plane& plane, double tolerance) {
-  return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) {
-    return std::abs(plane.signed_distance(p)) <= tolerance;
-  });
-}
-
 }  // namespace
 
 PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
@@ -180,8 +174,7 @@ Frame dominant_frame(std::span<const Piece> pieces) {
     }
   }
   if (second == Vec3(0.0)) {
-    const Vec3 a = glm::abs(frame[0]);
-    second = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0) : a.y <= a.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+    second = least_axis(frame[0]);
   }
   second = with_sign(glm::normalize(second - glm::dot(second, frame[0]) * frame[0]), pieces);
   frame[1] = second;

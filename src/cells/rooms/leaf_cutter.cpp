@@ -6,22 +6,12 @@
 namespace enfilade {
 namespace {
 
-std::pair<double, double> reach(const Region& region, const Plane& plane) {
-  double lowest = 0.0, highest = 0.0;
+DistanceRange distances_of(const Region& region, const Plane& plane) {
+  DistanceRange range;
   for (const Facet& facet : region.facets) {
-    for (const Vec3& p : facet.polygon) {
-      const double distance = plane.signed_distance(p);
-      lowest = std::min(lowest, distance);
-      highest = std::max(highest, distance);
-    }
+    for (const Vec3& p : facet.polygon) range.add(plane.signed_distance(p));
   }
-  return {lowest, highest};
-}
-
-double total_area(const std::vector<Polygon>& polygons) {
-  double sum = 0.0;
-  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
-  return sum;
+  return range;
 }
 
 }  // namespace
@@ -87,9 +77,9 @@ std::uint32_t LeafCutter::new_group(std::uint32_t like) {
 LeafCutter::Split LeafCutter::cut(std::uint32_t leaf, std::uint32_t plane_number) {
   BspTree& tree = space_.tree;
   const Plane plane = space_.planes.planes[plane_number];
-  const auto [lowest, highest] = reach(tree.leaves[leaf], plane);
-  if (highest <= space_.tolerance_m) return {false, leaf, leaf};
-  if (lowest >= -space_.tolerance_m) return {false, leaf, leaf};
+  const DistanceRange range = distances_of(tree.leaves[leaf], plane);
+  if (range.highest <= space_.tolerance_m) return {false, leaf, leaf};
+  if (range.lowest >= -space_.tolerance_m) return {false, leaf, leaf};
   BspCut made{node_of_leaf_[leaf], plane_number, cross_section(tree.leaves[leaf], plane), {}};
   if (area_m2(made.section) <= space_.tolerance_m * space_.tolerance_m) return {false, leaf, leaf};
   for (const std::uint32_t i : pieces_of_plane_[plane_number]) {
@@ -125,7 +115,7 @@ LeafCutter::Split LeafCutter::cut(std::uint32_t leaf, std::uint32_t plane_number
   face.n = plane.n;
   face.area_m2 = area_m2(made.section);
   face.openings = open_parts(made);
-  face.open_m2 = total_area(face.openings);
+  face.open_m2 = total_area_m2(face.openings);
   add_interface(std::move(face));
   tree.cuts.push_back(std::move(made));
   return {true, front, leaf};
@@ -172,7 +162,7 @@ void LeafCutter::split_interfaces(std::uint32_t leaf, std::uint32_t front,
     }
     const double framed_share = before.open_m2 > 0.0 ? before.framed_m2 / before.open_m2 : 0.0;
     for (LeafInterface* half : {&before, &behind}) {
-      half->open_m2 = total_area(half->openings);
+      half->open_m2 = total_area_m2(half->openings);
       half->framed_m2 = framed_share * half->open_m2;
     }
     (before.front_leaf == leaf ? before.front_leaf : before.back_leaf) = front;

@@ -13,12 +13,10 @@ enum : char { in_front = 1, in_back = 2, on_section = 4 };
 
 /// Where a polygon lies by the plane: bits of the above.
 char side_of(const Polygon& polygon, const Plane& plane, double tolerance) {
+  const DistanceRange range = distances(polygon, plane);
   char side = 0;
-  for (const Vec3& p : polygon) {
-    const double distance = plane.signed_distance(p);
-    if (distance > tolerance) side |= in_front;
-    if (distance < -tolerance) side |= in_back;
-  }
+  if (range.highest > tolerance) side |= in_front;
+  if (range.lowest < -tolerance) side |= in_back;
   return side;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "final_gather/point_gather.hpp"
+#include "geometry/sampling.hpp"
 #include "report/pictures/smooth_light.hpp"
 #include "scene/equal_bands.hpp"
 
@@ -180,10 +181,9 @@ class Painter {
     Random random(polygon + 1);
     int free = 0;
     for (int i = 0; i < looks; ++i) {
-      const double z = 1.0 - 2.0 * random.uniform(), turn = 6.283185307179586 * random.uniform();
-      const double r = std::sqrt(1.0 - z * z);
+      const double z = 1.0 - 2.0 * random.uniform(), about = random.uniform();
       // Cosine-weighted: a point of the unit sphere that stands on the plane.
-      const Vec3 d = 1.001 * frame.n + Vec3(r * std::cos(turn), r * std::sin(turn), z);
+      const Vec3 d = 1.001 * frame.n + sphere_direction(z, about);
       free += !solved_.occluders.rays().closest(p, d, polygon).any();
     }
     return free > looks / 2;

@@ -18,21 +18,14 @@ std::size_t leaf_at(const PatchForest& forest, std::uint32_t polygon, const Vec2
   return i;
 }
 
-bool inside(const PatchOutline& convex, const Vec2& q) {
-  for (std::size_t i = 0; i < convex.size(); ++i) {
-    const Vec2 &a = convex[i], &b = convex[(i + 1) % convex.size()];
-    if ((b.x - a.x) * (q.y - a.y) < (b.y - a.y) * (q.x - a.x)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void smooth_irradiance(const PatchForest& forest, std::uint32_t polygon, const Vec3& p, double turn,
                        std::span<double> out) {
   constexpr int pairs = 4;
   const PolygonFrame& frame = forest.frames()[polygon];
-  const PatchOutline& border = forest.node(polygon).shape.vertices;
+  const PatchOutline& outline = forest.node(polygon).shape.vertices;
+  const std::span<const Vec2> border(outline.data(), outline.size());
   const Vec2 q = frame.project(p);
   const double reach_m = 0.6 * std::sqrt(forest.node(leaf_at(forest, polygon, q)).shape.area_m2);
   forest.evaluate(false, polygon, p, out);
@@ -43,7 +36,7 @@ void smooth_irradiance(const PatchForest& forest, std::uint32_t polygon, const V
     const double radius_m = reach_m * std::sqrt((k + 0.5) / pairs);
     const Vec2 step = radius_m * Vec2(std::cos(angle), std::sin(angle));
     // Both or none, so that the field's slope cancels.
-    if (!inside(border, q + step) || !inside(border, q - step)) continue;
+    if (!contains(border, q + step) || !contains(border, q - step)) continue;
     for (const Vec2& at : {q + step, q - step}) {
       forest.evaluate(false, polygon, frame.at(at), light);
       for (std::size_t band = 0; band < out.size(); ++band) out[band] += light[band];

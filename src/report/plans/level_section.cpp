@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/clip.hpp"
+
 namespace enfilade {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/clip.hpp"
 #include "report/plans/level_section.hpp"
 #include "report/plans/plan_outline.hpp"
 
@@ -26,7 +27,7 @@ std::vector<Path> hatch(const Polygon& polygon, double step_m) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2 a(polygon[i]), b(polygon[(i + 1) % polygon.size()]);
       const double from = glm::dot(a, across) - at, to = glm::dot(b, across) - at;
-      if ((from < 0.0) != (to < 0.0)) ends.push_back(a + from / (from - to) * (b - a));
+      if ((from < 0.0) != (to < 0.0)) ends.push_back(zero_crossing(a, from, b, to));
     }
     if (ends.size() == 2) lines.push_back(std::move(ends));
   }

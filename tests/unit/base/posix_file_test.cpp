@@ -14,7 +14,7 @@
 namespace enfilade {
 namespace {
 
-TEST(PosixFile, FullDiskIsToldWithItsRemedy) {
+TEST(PosixFile, AFullDiskIsReportedWithItsRemedy) {
   try {
     write_file("/dev/full", std::vector<std::byte>(10), {});
     FAIL();

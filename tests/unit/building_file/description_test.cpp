@@ -46,7 +46,7 @@ TEST(Description, OptionsReplaceKeysAndKeepOtherFurniture) {
   EXPECT_EQ(b.furniture[index_of(FurnitureKind::bin)], 3);
 }
 
-TEST(Description, FaultsAreToldByKey) {
+TEST(Description, FaultsNameTheirKey) {
   const std::pair<const char*, const char*> faults[] = {
       {R"([])", "b.json: top level: is not an object"},
       {R"({"flors": 2})", "b.json: \"flors\": is no key"},
@@ -84,7 +84,7 @@ TEST(Description, FaultsAreToldByKey) {
   }
 }
 
-TEST(Description, FaultsOfOptionsAreToldByOption) {
+TEST(Description, FaultsOfOptionsNameTheOption) {
   EXPECT_THAT(fault_of("{}", {{"floors", "none"}}),
               HasSubstr("command line: --floors: is \"none\""));
   EXPECT_THAT(fault_of("{}", {{"wings", "3,4:80"}}),

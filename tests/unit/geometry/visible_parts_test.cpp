@@ -53,7 +53,7 @@ TEST(VisibleParts, WhatLiesBeyondBesideOrEdgeOnHidesNothing) {
   EXPECT_EQ(parts.factor({0, 0, 1}), point_to_polygon({0.5, 0.5, 0.0}, {0, 0, 1}, above));
 }
 
-TEST(VisibleParts, AWallHidesAllAndTooManyPartsAreToldOf) {
+TEST(VisibleParts, AWallHidesAllAndTooManyPartsAreReported) {
   const Polygon above{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
   VisibleParts parts;
   parts.begin({0.5, 0.5, 0.0}, above, 1e-9);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -47,6 +49,52 @@ TEST(RayScene, SeesAGapOfAMillimetreFarFromTheOrigin) {
   const RayScene scene(polygons);
   EXPECT_TRUE(scene.occluded(far + Vec3(0.5, 0.5, -0.5), far + Vec3(0.5, 0.5, 0.0005)));
   EXPECT_FALSE(scene.occluded(far + Vec3(-0.5, 0.5, 0.0005), far + Vec3(1.5, 0.5, 0.0005)));
+}
+
+TEST(RayScene, ASpanOfRaysGivesTheHitsOfSingleRays) {
+  Random random(5);
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 at(random.uniform(), random.uniform(), 0.0);
+    polygons.push_back(square(random.uniform(), 0.4, at));
+    polygons.emplace_back(polygons.back().rbegin(), polygons.back().rend());  // back to back
+  }
+  const RayScene scene(polygons);
+  const auto point = [&] { return Vec3(random.uniform(), random.uniform(), random.uniform()); };
+  std::vector<RayScene::Ray> rays;
+  std::vector<RayScene::Sight> segments;
+  for (int i = 0; i < 500; ++i) {
+    const auto skip = static_cast<std::uint32_t>(random.below(polygons.size()));
+    const Vec3 a = point(), b = point();
+    rays.push_back({a, b - a, skip, 0.5});
+    segments.push_back({a, b, skip, skip + 1});
+  }
+  std::vector<RayHit> hits(rays.size());
+  std::vector<std::uint8_t> blocked(segments.size());
+  int any_hit = 0, any_blocked = 0;
+  for (const RayStart start : {RayStart::on_polygon, RayStart::in_air}) {
+    scene.closest(rays, hits, start);
+    scene.occluded(segments, blocked, start);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const auto& [from, direction, skip, far_m] = rays[i];
+      const RayHit one = scene.closest(from, direction, skip, far_m, start);
+      EXPECT_EQ(hits[i].polygon, one.polygon);
+      EXPECT_EQ(hits[i].distance_m, one.distance_m);
+      EXPECT_EQ(hits[i].front, one.front);
+      const auto& [a, b, skip_a, skip_b] = segments[i];
+      EXPECT_EQ(blocked[i] != 0, scene.occluded(a, b, skip_a, skip_b, start));
+      any_hit += one.any();
+      any_blocked += blocked[i];
+    }
+  }
+  EXPECT_GT(any_hit, 100);
+  EXPECT_GT(any_blocked, 100);
+}
+
+TEST(RayScene, RefusesSpansOfUnequalSizes) {
+  const RayScene scene(std::vector<Polygon>{square(0.0)});
+  std::vector<RayHit> hits(1);
+  EXPECT_THROW(scene.closest(std::vector<RayScene::Ray>(2), hits), std::logic_error);
 }
 
 TEST(RayScene, AnEmptySceneBlocksNothing) {

@@ -97,7 +97,7 @@ TEST(MakePieces, EmittingSurfaceIsInFrontWhateverTheOrder) {
   }
 }
 
-TEST(MakePieces, LaterOfTwoDarkSurfacesIsInFront) {
+TEST(MakePieces, LaterOfTwoSurfacesWithoutExitanceIsInFront) {
   Scene scene;
   scene.surfaces = {grey_surface(rectangle(0, 0, 2, 2)), grey_surface(rectangle(1, 0, 3, 2))};
   const Made made = make(scene);

@@ -48,7 +48,7 @@ Vec3 random_point(const Polygon& polygon, Random& random) {
   double left = random.uniform() * area_m2(polygon);
   std::size_t k = 1;
   for (; k + 2 < polygon.size(); ++k) {
-    left -= area_m2({polygon[0], polygon[k], polygon[k + 1]});
+    left -= area_m2(Polygon{polygon[0], polygon[k], polygon[k + 1]});
     if (left <= 0.0) break;
   }
   const double s = std::sqrt(random.uniform()), t = random.uniform();

@@ -1,0 +1,118 @@
+// Cuts with a tolerance: corners that are closer to the plane than that are taken as on it.
+#include "geometry/clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// Signed distances of the corners from the plane, those within the tolerance taken as zero.
+struct SnappedDistances {
+  std::span<const double> of_corner;
+  bool any_front = false, any_behind = false;
+  double operator[](std::size_t i) const { return of_corner[i]; }
+};
+
+/// Valid until the next call in the same thread: the values stay where they are, so that a clip
+/// allocates nothing for them.
+SnappedDistances snapped_distances(const Polygon& polygon, const Plane& plane, double tolerance) {
+  thread_local std::vector<double> values;
+  values.resize(polygon.size());
+  SnappedDistances found;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    values[i] = plane.signed_distance(polygon[i]);
+    if (std::abs(values[i]) <= tolerance) values[i] = 0.0;
+    found.any_front |= values[i] > 0.0;
+    found.any_behind |= values[i] < 0.0;
+  }
+  found.of_corner = values;
+  return found;
+}
+
+/// Appends the corners of the part behind the plane, and where `front` is given those of the part
+/// in front; corners on the plane belong to both.
+void cut(const Polygon& polygon, const SnappedDistances& distance, Polygon& behind,
+         Polygon* front) {
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = i + 1 == count ? 0 : i + 1;
+    if (front != nullptr && distance[i] >= 0.0) front->push_back(polygon[i]);
+    if (distance[i] <= 0.0) behind.push_back(polygon[i]);
+    if (distance[i] * distance[j] >= 0.0) continue;
+    // From the front end always, so that two polygons that share the edge get the very same point.
+    const std::size_t f = distance[i] > 0.0 ? i : j, b = f == i ? j : i;
+    const Vec3 crossing = zero_crossing(polygon[f], distance[f], polygon[b], distance[b]);
+    if (front != nullptr) front->push_back(crossing);
+    behind.push_back(crossing);
+  }
+}
+
+/// Outward planes through the edges of a polygon, without those of edges that are too short.
+std::vector<Plane> border_of(const Polygon& polygon) {
+  return edge_planes(polygon, normal(polygon), 1e-12 * bounds(polygon).diagonal());
+}
+
+}  // namespace
+
+std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, double tolerance) {
+  const SnappedDistances distance = snapped_distances(polygon, plane, tolerance);
+  if (!distance.any_behind) return {polygon, {}};
+  if (!distance.any_front) return {{}, polygon};
+  std::pair<Polygon, Polygon> parts;
+  cut(polygon, distance, parts.second, &parts.first);
+  return parts;
+}
+
+void clip_behind(Polygon& polygon, const Plane& plane, double tolerance) {
+  const SnappedDistances distance = snapped_distances(polygon, plane, tolerance);
+  if (!distance.any_front) return;
+  Polygon kept;
+  if (distance.any_behind) {
+    kept.reserve(polygon.size() + 1);
+    cut(polygon, distance, kept, nullptr);
+    if (kept.size() < 3) kept.clear();
+  }
+  polygon = std::move(kept);
+}
+
+void clip_front(Polygon& polygon, const Plane& plane, double tolerance) {
+  clip_behind(polygon, plane.flipped(), tolerance);
+}
+
+bool clip_front(Segment& s, const Plane& plane, double tolerance) {
+  const double at_a = plane.signed_distance(s.a), at_b = plane.signed_distance(s.b);
+  if (std::max(at_a, at_b) <= tolerance) return false;
+  if (at_a < 0.0) s.a = zero_crossing(s.a, at_a, s.b, at_b);
+  if (at_b < 0.0) s.b = zero_crossing(s.b, at_b, s.a, at_a);
+  return true;
+}
+
+std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, double tolerance) {
+  std::vector<Polygon> left;
+  Polygon inside = a;
+  const std::vector<Plane> planes = border_of(b);
+  if (planes.size() < 3) return {a};
+  for (const Plane& plane : planes) {
+    // An edge of `a` that lies in the plane up to tolerance must stay inside: only what sticks out
+    // is cut.
+    auto [outside, rest] = split(inside, plane, tolerance);
+    if (rest.empty()) return {a};
+    if (!outside.empty()) left.push_back(std::move(outside));
+    inside = std::move(rest);
+  }
+  return left;
+}
+
+Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance) {
+  Polygon inside = a;
+  const std::vector<Plane> planes = border_of(b);
+  if (planes.size() < 3) return {};
+  for (const Plane& plane : planes) {
+    inside = split(inside, plane, tolerance).second;
+    if (inside.empty()) break;
+  }
+  return inside;
+}
+
+}  // namespace enfilade
