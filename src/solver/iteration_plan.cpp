@@ -35,7 +35,7 @@ int rays_of_a_sample(const PlanConfig& config) {
 bool sampled(std::span<const IterationSummary> history) {
   for (std::size_t i = history.size(); i-- > 0;) {
     if (history[i].plan.sample) return true;
-    if (history[i].sums.work.links_refined > 0) return false;
+    if (history[i].figures.work.links_refined > 0) return false;
   }
   return false;
 }
@@ -47,7 +47,7 @@ bool nothing_finer(std::span<const IterationSummary> history) {
     if (!history[i].plan.refine) continue;
     if (finer == nullptr) {
       finer = &history[i];
-      if (finer->sums.work.links_refined > 0) return false;
+      if (finer->figures.work.links_refined > 0) return false;
     } else {
       return finer->plan.link_tolerance < history[i].plan.link_tolerance;
     }
@@ -89,9 +89,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
   plan.finished = plan.converged = plan.sample = false;
-  plan.received_power = last.sums.received_power;
+  plan.received_power = last.figures.received_power;
   // Light has been everywhere once the change falls below what arrives.
-  const double change = relative(last.sums.change_power, last.sums.received_power);
+  const double change = relative(last.figures.change_power, last.figures.received_power);
   const bool settled = change < 0.1;
   // Once closed they stay so: closing moves the light as well, and opening them again would move it
   // back for ever.
@@ -100,12 +100,12 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // it.
   if (!settled && config.epsilon <= 0.0) {
     plan.link_tolerance =
-        first_epsilon(config) *
-        std::max(worst_band(config.emitted_power), last.sums.received_power + last.missing_power);
+        first_epsilon(config) * std::max(worst_band(config.emitted_power),
+                                         last.figures.received_power + last.missing_power);
   }
   // Refining again what was not touched last time finds nothing new, as long as the light hardly
   // changes.
-  const bool few_refined = last.sums.work.links_refined * 1000 <= last.sums.links;
+  const bool few_refined = last.figures.work.links_refined * 1000 <= last.figures.links;
   const bool links_done = settled && few_refined && last.plan.close_rows == plan.close_rows;
   plan.refine = !(settled && few_refined);
   plan.flux_correction = flux_correction(last, config.surfaces_power, 0.02 * config.target_error);
@@ -114,7 +114,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // What the links are wrong by shows before the light has come to rest.
   const bool calm = all_done && last.error.iteration_bound <=
                                     std::max(tolerance_of(config), 0.02 * config.target_error);
-  const bool patches = (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
+  const bool patches = (config.patch_links == 0 || last.figures.links <= config.patch_links) &&
                        !no_better(history, true);
   const double error = links_error(last.error, patches);
   const bool fine = error <= 0.9 * config.target_error;

@@ -16,20 +16,20 @@ ConvergenceMonitor::ConvergenceMonitor(ClusterWork& work, Machine& machine, bool
 Decision ConvergenceMonitor::decide(const IterationPlan& plan, const Token& token) {
   IterationSummary summary;
   summary.plan = plan;
-  summary.sums = figures_from(token.maxima, token.sums);
+  summary.figures = figures_from(token.maxima, token.sums);
   summary.time_s = machine_.now_s() - start_s_;
   const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
   summary.corrected = coarse_correction_;
   summary.missing_power = correction.missing_power;
   for (std::size_t b = 0; b < correction.absorbed_power.size(); ++b) {
-    summary.sums.absorbed_power[b] += correction.absorbed_power[b];
-    summary.sums.escaping_power[b] += correction.escaping_power[b];
+    summary.figures.absorbed_power[b] += correction.absorbed_power[b];
+    summary.figures.escaping_power[b] += correction.escaping_power[b];
   }
   history_.push_back(summary);
   const IterationPlan next = plan_next_(history_);
   work_.commit(history_, correction.changes, next.finished);
   if (observer_) observer_(history_.back());
-  return {next.finished ? -1.0 : history_.back().sums.max_change, to_numbers(next),
+  return {next.finished ? -1.0 : history_.back().figures.max_change, to_numbers(next),
           correction.changes};
 }
 

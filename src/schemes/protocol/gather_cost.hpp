@@ -16,7 +16,7 @@ namespace enfilade {
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
-  IterationFigures sums;         ///< what it brought; its work among them
+  IterationFigures figures;      ///< what it brought; its work among them
   SectionWeight patches, links;  ///< as it wrote them
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate

@@ -60,8 +60,8 @@ void set_figures(RunRecord& record, const IterationFigures& figures, Told told) 
 void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& emitted,
                          const std::vector<IterationSummary>& history, const IterationPlan& last) {
   IterationFigures all;
-  for (const IterationSummary& summary : history) add(all, summary.sums);
-  const IterationFigures end = history.empty() ? IterationFigures{} : history.back().sums;
+  for (const IterationSummary& summary : history) add(all, summary.figures);
+  const IterationFigures end = history.empty() ? IterationFigures{} : history.back().figures;
   set_figures(record, end, Told::last);
   record.set("iterations", history.size());
   record.set("converged", RunRecord::Value(last.converged));

@@ -80,7 +80,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   for (const ClusterId id : visible) {
     if (id != receiver) resident_.pin_shooter(id);
   }
-  spend(machine_, cost.sums.work);
+  spend(machine_, cost.figures.work);
   state.become(cost.patches, cost.links);
   if (shared_->recording.light.coarse_correction) {
     const CoarseUnknowns& unknowns = shared_->unknowns;
@@ -91,7 +91,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   }
   resident_.write_receiver(receiver);
   resident_.unpin();
-  return cost.sums;
+  return cost.figures;
 }
 
 std::vector<double> ReplayWork::merge(std::span<const double> a, std::span<const double> b) const {
@@ -106,14 +106,14 @@ Correction ReplayWork::correct(std::span<const double>) const {
   const IterationSummary& summary = recording.history[iteration];
   // What was recorded of the iteration is after its correction, what was of its gathers before it.
   IterationFigures gathered;
-  for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.sums);
+  for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.figures);
   const auto brought = [](Spectrum after, const Spectrum& before) {
     for (std::size_t b = 0; b < std::min(after.size(), before.size()); ++b) after[b] -= before[b];
     return after;
   };
   return {std::vector<double>(shared_->unknowns.count * recording.bands, 0.0),
-          summary.missing_power, brought(summary.sums.absorbed_power, gathered.absorbed_power),
-          brought(summary.sums.escaping_power, gathered.escaping_power)};
+          summary.missing_power, brought(summary.figures.absorbed_power, gathered.absorbed_power),
+          brought(summary.figures.escaping_power, gathered.escaping_power)};
 }
 
 void ReplayWork::commit(const std::vector<IterationSummary>&, std::span<const double>, bool) {
