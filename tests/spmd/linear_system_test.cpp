@@ -70,7 +70,7 @@ struct Run {
 /// A block's gather takes this long; a thousand times as long where it costs nothing to wait, so
 /// that there as well it is the gathers that count and not the files.
 void labour_for(Machine& machine, double seconds) {
-  if (machine.simulated()) {
+  if (!machine.time_passes_by_itself()) {
     WorkCount work;
     work.rays = static_cast<std::uint64_t>(seconds * 1e12 / 3000.0);
     machine.compute(work);

@@ -54,8 +54,14 @@ class ClusterWork {
   void listen() const {
     if (listener_) listener_();
   }
-  /// Passes the time that a gather's work takes, and listens in between.
-  void spend(Machine& machine, const WorkCount& work) const;
+  /// Charges a gather's work, and listens in between.
+  void spend(Machine& machine, const WorkCount& work) const {
+    if (listener_) {
+      machine.compute_in_parts(work, listener_);
+    } else {
+      machine.compute(work);
+    }
+  }
 
  private:
   std::function<void()> listener_;

@@ -97,7 +97,7 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
   const GatherResult result = enfilade::gather(
       state, visible,
       [this](ClusterId id) -> const ClusterState& {
-        if (!machine_.simulated()) listen();  // there, time passes only where it is spent
+        if (machine_.time_passes_by_itself()) listen();  // else spend() listens
         return resident_.pin_shooter(id);
       },
       prepared_.scene.lights, occluders_, gather_config_);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/peak_memory.hpp"
 #include "scene/equal_bands.hpp"
 #include "solver/energy_conservation.hpp"
 #include "solver/error_estimate.hpp"
@@ -92,8 +91,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
                             const RankStatistics& own, Communicator& communicator,
                             const Machine& machine) {
   const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
-  // Simulated ranks share one process: what each would need is what its clusters take.
-  const std::uint64_t peak = machine.simulated() ? own.residency.peak_bytes : peak_rss_bytes();
+  const std::uint64_t peak = machine.peak_memory_bytes(own.residency.peak_bytes);
   const std::vector<double> mine = {own.time.compute_s,
                                     own.time.io_s,
                                     own.time.idle_s,
@@ -124,7 +122,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   record.set("heap_extent_bytes", std::llround(largest(column(ranks, 11))));
   record.set("swapped_bytes", sum(column(ranks, 12)));
   record.set("prepare_s", RunRecord::Value(prepared.prepare_s));
-  if (machine.simulated()) record.set("simulated_s", RunRecord::Value(largest(column(ranks, 10))));
+  machine.describe(record, largest(column(ranks, 10)));
   record.set("compute_s", RunRecord::Value(column(ranks, 0)));
   record.set("io_s", RunRecord::Value(column(ranks, 1)));
   record.set("idle_s", RunRecord::Value(column(ranks, 2)));

@@ -47,21 +47,20 @@ Costs costs_of(const Prepared& prepared, Basis basis,
 RunRecord replay(const std::string& recorded, const SolveConfig& config, Communicator& communicator,
                  Machine& machine, const IterationObserver& observer) {
   communicator.on_root([&] {
-    if (machine.simulated()) return;
+    if (!machine.time_passes_by_itself()) return;
     throw InputError("command line", "--replay",
                      "the recorded work takes no time on a real machine",
                      "run enfilade-smpi under smpirun");
   });
-  const auto shared =
-      share<ReplayShared>(communicator, machine, [&recorded] { return load(recorded); });
+  const auto shared = share<ReplayShared>(communicator, [&recorded] { return load(recorded); });
   const Prepared& prepared = shared->prepared;
   const Recording& recording = shared->recording;
   const std::uint64_t memory =
       config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::vector<double> mine{static_cast<double>(memory)};
   const auto memories = communicator.gather(mine);
-  const auto costs = share<Costs>(communicator, machine,
-                                  [&] { return costs_of(prepared, recording.basis, memories); });
+  const auto costs =
+      share<Costs>(communicator, [&] { return costs_of(prepared, recording.basis, memories); });
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());

@@ -21,11 +21,11 @@ std::vector<ClusterId> clusters_of(std::span<const Rank> owners, Rank rank);
 /// OVG's costs before anything was refined; `memory_bytes` 0 = no limit.
 VisibilityCost tour_cost(const Prepared& prepared, Basis basis, std::uint64_t memory_bytes);
 
-/// One object for all ranks where they share an address space (simulated ones do), else one a rank.
+/// One object for all ranks where they share an address space, else one for each rank.
 /// All ranks call; where `make` throws on rank 0, all leave as from on_root().
 template <class T, class Make>
-std::shared_ptr<const T> share(Communicator& communicator, const Machine& machine, Make make) {
-  if (!machine.simulated()) return std::make_shared<const T>(make());
+std::shared_ptr<const T> share(Communicator& communicator, Make make) {
+  if (!ranks_share_a_process()) return std::make_shared<const T>(make());
   std::shared_ptr<const T> object;
   communicator.on_root([&] { object = std::make_shared<const T>(make()); });
   const std::shared_ptr<const T>* first = &object;
