@@ -29,7 +29,7 @@ constexpr int part_tag = 0;
 /// So many sends may be under way before the completed ones are looked for and forgotten.
 constexpr std::size_t most_sending = 64;
 
-/// The longest message that goes in one piece: most do, and a rank can afford the buffer.
+/// The longest message that goes in one piece, and the size of a rank's one receive buffer.
 constexpr std::size_t inbox_bytes = 1 << 20;
 
 /// A send under way: its bytes must stay until MPI has taken them.

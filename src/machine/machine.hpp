@@ -1,5 +1,5 @@
-// The machine that a rank runs on: the real one, or a host of a simulated cluster. The one place
-// where work and bytes become time. `real` and `smpi` implement it; an executable links exactly one
+// The machine that a rank runs on: the real one, or a host of a simulated cluster. Here alone
+// counted work and bytes become time. real.cpp and smpi.cpp implement it; an executable links one
 // of them.
 #pragma once
 

@@ -67,8 +67,8 @@ struct Run {
   }
 };
 
-/// A block's gather takes this long; a thousand times as long where it costs nothing to wait, so
-/// that there as well it is the gathers that count and not the files.
+/// Spends `seconds`, as a block's gather. Where time passes only by charges, a thousand times as
+/// long, so that there as well gathers take longer than the files.
 void labour_for(Machine& machine, double seconds) {
   if (!machine.time_passes_by_itself()) {
     WorkCount work;

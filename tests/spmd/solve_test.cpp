@@ -53,7 +53,7 @@ Scene furnace() {
   return scene;
 }
 
-/// The furnace, prepared in RUN; with --resume, what is there stays.
+/// The furnace, prepared in RUN; with --resume, RUN is kept.
 Prepared prepared_furnace(Context& context, const std::string& run) {
   const std::string scene_file = context.directory + "/furnace.json";
   context.communicator.barrier();  // a solve before has left its local directories on every rank
@@ -85,7 +85,7 @@ std::vector<double> radiosities(const std::string& run) {
 
 namespace {
 
-/// How far the light in RUN is off, as a share.
+/// Relative, area-weighted L1 error of the radiosity in RUN.
 double error_of(const std::string& run) {
   double area = 0.0, wrong = 0.0;
   for (const ClusterState& state : read_solution(run)) {
@@ -123,7 +123,7 @@ RunRecord solve_furnace(Context& context, SolveConfig config) {
   return record;
 }
 
-/// For a run that is killed and goes on: as many iterations as it takes to stand still.
+/// For a run that is killed and resumed: iterates until the light stands still.
 void solve_to_the_end(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
@@ -135,8 +135,7 @@ void solve_to_the_end(Context& context, Scheme scheme) {
   });
 }
 
-/// Alone, a rank has nobody to send to; else the clusters go by messages, and rank 0 alone has
-/// files.
+/// With several ranks the clusters go by messages, and rank 0 alone has files; one rank sends none.
 void solve_rooms_with_a_master(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
@@ -149,7 +148,7 @@ void solve_rooms_with_a_master(Context& context, Scheme scheme) {
   config.coarse_correction = false;
   const RunRecord spmd = solve_furnace(context, config);
   context.communicator.on_root([&] {
-    SPMD_CHECK(planned.number("steals", 1) == 0, "stolen though told not to");
+    SPMD_CHECK(planned.number("steals", 1) == 0, "stolen without stealing");
     if (context.communicator.size() == 1) return;
     const double sent = dealt.number("message_bytes", 0), few = spmd.number("message_bytes", 0);
     SPMD_CHECK(sent > 10.0 * few, std::to_string(sent) + " and " + std::to_string(few));
@@ -197,8 +196,8 @@ void solve_rooms_by_jacobi(Context& context) {
 }
 
 void solve_in_little_memory(Context& context) {
-  // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and
-  // more reading.
+  // A budget of a quarter of the clusters' size: the same solution, to the digit on one rank, and
+  // more bytes read.
   Communicator& c = context.communicator;
   const std::string run = context.directory + "/RUN";
   const Prepared prepared = prepared_furnace(context, run);
@@ -223,13 +222,13 @@ void solve_in_little_memory(Context& context) {
     SPMD_CHECK(peak < 0.75 * rich.number("peak_cluster_bytes", 0), std::to_string(peak));
     SPMD_CHECK(
         peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
-        "more in memory than the run owns up to");
+        "more in memory than the run reports");
   });
 }
 
-/// A replay goes through the same moves as the run that it was recorded from, with the coarse
-/// correction and without. Where memory is short, what a cluster took while it was refined is not
-/// recorded, so that other clusters may be evicted: near, and not the same.
+/// A replay takes the same steps as the recorded run, with the coarse correction and without. In
+/// little memory it is near and not the same: the memory of a cluster during its refinement is not
+/// recorded, so that other clusters may be evicted.
 void replay_rooms(Context& context) {
   for (const bool little : {false, true}) {
     const std::string run = context.directory + (little ? "/LITTLE" : "/RUN");

@@ -29,7 +29,8 @@ Token Master::deal() {
   IterationFigures own;
   own.steals = dealer_.moved();
   Token all = own_token(work_, own, coarse_correction_);
-  for (const auto& [slave, token] : tokens_)  // in the order of the ranks, so that sums repeat
+  for (const auto& [slave, token] :
+       tokens_)  // in the order of the ranks: the same sums in each run
     add_token(work_, all, token, coarse_correction_);
   return all;
 }

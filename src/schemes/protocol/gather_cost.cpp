@@ -50,7 +50,7 @@ std::vector<std::string> files_of(const fs::path& directory) {
   throw InputError(run_directory, "costs", what, "solve it again, then replay it");
 }
 
-/// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
+/// Reads all ranks' files of an iteration; `take` reads one cluster's part and returns its id.
 template <class Take>
 void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
                     IterationMethod& light, Take take) {

@@ -1,5 +1,5 @@
-// What each gather of a run cost: written while it runs, so that the run can be replayed on other
-// clusters of computers without its kernels.
+// The cost of each gather of a run: recorded while it runs, so that the run can be replayed on
+// other clusters of computers without its kernels (schemes/replay).
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,26 @@ namespace enfilade {
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
-  IterationFigures figures;      ///< what it brought; its work among them
+  IterationFigures figures;      ///< of this gather; its work among them
   SectionWeight patches, links;  ///< as it wrote them
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
 };
 
-/// Whose light a gather takes: what the recorded iterations are true for.
+/// Which light a gather takes. A recording is valid for the method that it was made with.
 struct IterationMethod {
   bool coarse_correction = true;
   bool jacobi = false;
 
-  /// Zones serve the coarse correction alone.
+  /// One unknown for each aggregate of a cluster with the coarse correction, else one for each
+  /// cluster.
   CoarseUnknowns unknowns(std::span<const Cluster> clusters) const {
     return coarse_correction ? coarse_unknowns(clusters) : coarse_unknowns(clusters, 1);
   }
-  /// The light as committed, rather than a rank's newest as in the paper. What is refined must not
-  /// depend on the ranks' number and speeds; light then spreads as with Jacobi, which the coarse
-  /// correction makes up for. And where that has several unknowns a cluster, all must have been
-  /// seen by the same receivers, else how their light was shared out would pass for power.
+  /// Jacobi: gathers take the committed light, rather than a rank's newest as in the paper.
+  /// Refinement must not depend on the ranks' number and speeds, and the coarse correction makes up
+  /// for the slower convergence. And where a cluster has several aggregates, all gathers must see
+  /// the same light of them, else a change of its distribution would count as a change of power.
   bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
     return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
   }
@@ -44,25 +45,26 @@ struct IterationMethod {
 struct Recording {
   std::vector<ClusterWeight> start;              ///< by cluster, before the first iteration
   std::vector<std::vector<GatherCost>> gathers;  ///< [iteration - 1][cluster]
-  std::vector<IterationSummary> history;         ///< what the iterations came to
+  std::vector<IterationSummary> history;         ///< summaries of the iterations
   std::size_t bands = 1;
   IterationMethod light;
   Basis basis = Basis::linear;
 
-  /// What a cluster's sections weigh once iteration `iteration` is over; 0 = at the start.
+  /// The size of a cluster's sections after iteration `iteration`; 0 = at the start.
   ClusterWeight weight(ClusterId cluster, int iteration) const;
 };
 
-/// Takes down one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
+/// Records one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
   CostRecorder(std::string run_directory, Rank rank, IterationMethod light)
       : directory_(run_directory + "/costs/"), rank_(rank), light_(light) {}
 
-  /// A cluster before the first iteration.
+  /// Records a cluster before the first iteration.
   void add_start(const ClusterState& state);
   void add(GatherCost cost) { gathers_.push_back(std::move(cost)); }
-  /// The iteration's gathers go to their file, all at once; 0 = the clusters at the start.
+  /// Writes the file of an iteration with the gathers added since the last call; 0 = the clusters
+  /// at the start.
   void write(int iteration);
 
  private:
@@ -73,9 +75,9 @@ class CostRecorder {
   std::vector<GatherCost> gathers_;
 };
 
-/// On one rank, before a run begins: takes away what was recorded after `committed`.
+/// On one rank, before a run begins: removes the recordings of iterations after `committed`.
 void drop_costs(const std::string& run_directory, int committed);
-/// Throws InputError where RUN holds no finished run with all its costs.
+/// Throws InputError where RUN holds no finished run with the costs of all its gathers.
 Recording read_recording(const std::string& run_directory, std::size_t clusters);
 
 }  // namespace enfilade

@@ -5,7 +5,8 @@
 namespace enfilade {
 namespace {
 
-/// Where a row of the coarse system has entries: column + count * aggregate of the receiver.
+/// The places at which a row of the coarse system has entries: column + count * aggregate of the
+/// receiver.
 std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
                                    const CoarseUnknowns& unknowns) {
   std::vector<std::uint32_t> places;
@@ -62,9 +63,9 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   gather_config_.refinement.visibility = config_.visibility;
 }
 
-/// Half of the points go by area, half by the light that arrives.
+/// Half of the sample points are distributed by area, half by arriving power.
 ErrorSampleConfig RadiosityWork::sampling(const IterationPlan& plan) const {
-  constexpr double points = 256.0;
+  constexpr double points = 256.0;  // of an iteration, over the whole scene
   ErrorSampleConfig config;
   if (plan.received_power <= 0.0 || area_m2_ <= 0.0) return config;
   config.rays = plan.sample_rays;

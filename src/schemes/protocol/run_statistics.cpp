@@ -27,7 +27,7 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// The largest |of - less| relative to `of` over the bands.
+/// The largest |of - less| / of, over the bands.
 double largest_share(const Spectrum& of, const Spectrum& less) {
   double worst = 0.0;
   for (std::size_t b = 0; b < std::min(of.size(), less.size()); ++b) {
@@ -74,7 +74,8 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
   record.set("estimated_iteration_error", RunRecord::Value(error.iteration));
   record.set("estimated_patch_error", RunRecord::Value(error.patches));
   record.set("iteration_error_bound", RunRecord::Value(error.iteration_bound));
-  // Emitted less absorbed: zero in a closed scene. And what of that the rays saw go.
+  // flux_balance: emitted less absorbed power, zero in a closed scene. escaping_share: power that
+  // the openness rays see escape. Both relative to the emitted power.
   record.set("flux_balance", RunRecord::Value(largest_share(emitted, end.absorbed_power)));
   Spectrum stays = emitted;
   for (std::size_t b = 0; b < std::min(stays.size(), end.escaping_power.size()); ++b) {

@@ -30,7 +30,7 @@ ReplayShared load(const std::string& recorded) {
   return shared;
 }
 
-/// OVG's costs, made once for each size of memory.
+/// OVG's costs, by the size of a rank's memory.
 using Costs = std::map<std::uint64_t, VisibilityCost>;
 Costs costs_of(const Prepared& prepared, Basis basis,
                const std::vector<std::vector<double>>& memories) {

@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-/// Gives the recorded weights out as if they were the sections' bytes.
+/// Sections with the recorded sizes in place of their bytes.
 class RecordShelf final : public SectionShelf {
  public:
   explicit RecordShelf(const Recording& recording) : recording_(recording) {}
@@ -104,7 +104,7 @@ Correction ReplayWork::correct(std::span<const double>) const {
   const Recording& recording = shared_->recording;
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
   const IterationSummary& summary = recording.history[iteration];
-  // What was recorded of the iteration is after its correction, what was of its gathers before it.
+  // The figures recorded of the iteration include its correction; those of its gathers do not.
   IterationFigures gathered;
   for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.figures);
   const auto brought = [](Spectrum after, const Spectrum& before) {

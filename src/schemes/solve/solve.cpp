@@ -24,7 +24,7 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
                                            const RunLayout& layout) {
   if (!config.resume) return std::nullopt;
   const std::optional<Manifest> manifest = read_manifest(layout);
-  if (!manifest) return std::nullopt;  // died before anything was committed: begin at the beginning
+  if (!manifest) return std::nullopt;  // killed before the first commit: begin anew
   if (manifest->clusters != prepared.clusters.size() ||
       manifest->scene_hash != prepared.scene.hash) {
     throw InputError(config.run_directory, "--resume", "the solution there is of another scene",
@@ -77,7 +77,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::optional<Manifest> manifest = manifest_to_resume(config, prepared, layout);
   const Basis basis =
-      manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
+      manifest ? manifest->basis : config.basis;  // a resumed solution keeps its basis
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());

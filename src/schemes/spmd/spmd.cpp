@@ -6,7 +6,7 @@
 namespace enfilade {
 namespace {
 
-/// Gathers for this rank's clusters, then for others' as long as there are any.
+/// Gathers for this rank's clusters, then for stolen ones until no rank has any left.
 IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& engine,
                             WorkStealingClient& thief, bool steal) {
   IterationFigures figures;
@@ -14,7 +14,7 @@ IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& 
     const IterationFigures part = work.gather(cluster);
     tasks.gathered(cluster, part.change_power);
     add(figures, part);
-    engine.look();
+    engine.progress();
   };
   while (const auto cluster = tasks.next()) gather(*cluster);
   while (steal) {
@@ -42,7 +42,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     add_token(work, token, own, config.coarse_correction);
   };
 
-  if (communicator.size() > 1) work.set_listener([&engine] { engine.look_again(); });
+  if (communicator.size() > 1) work.set_listener([&engine] { engine.progress_if_due(); });
   while (!plan.finished) {
     work.begin(plan, changes);
     tasks.start();
