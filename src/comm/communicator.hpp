@@ -17,7 +17,7 @@
 
 namespace enfilade {
 
-/// Another rank failed and has told its user; this one ends quietly with the same exit status.
+/// Another rank failed and prints its error; this one ends quietly with the same exit status.
 class PeerFailure : public std::runtime_error {
  public:
   explicit PeerFailure(int exit_status)
@@ -73,7 +73,7 @@ class Communicator {
   void barrier();
   /// Rank 0's text, on every rank.
   std::string broadcast(const std::string& text);
-  /// On rank 0 everybody's numbers, by rank; elsewhere empty.
+  /// On rank 0 the numbers of all ranks, by rank; elsewhere empty.
   std::vector<std::vector<double>> gather(std::span<const double> numbers);
   /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error
   /// and all others throw PeerFailure, so that one line is printed and all leave in order.

@@ -38,7 +38,7 @@ class RemoteFiles final : public ClusterFiles {
   void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
              std::span<const std::byte> links, const RecordCount& links_count) override;
   bool written(ClusterId id) const override { return written_.contains(id); }
-  /// The master moves the files; what was fetched is out of date.
+  /// The master moves the files; fetched sections are out of date.
   void move_to_common() override;
 
  private:

@@ -1,5 +1,5 @@
 // The work that a parallel scheme shares out among the ranks: gathers for clusters, and their
-// files. RadiosityWork does it, ReplayWork charges what was recorded of it.
+// files. RadiosityWork computes; ReplayWork charges recorded gathers.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ namespace enfilade {
 /// iteration.
 struct Correction {
   std::vector<double> changes;  ///< by unknown of the coarse system and band; empty = none
-  double missing_power =
-      0.0;  ///< power of the changes: an estimate of what the iteration still lacked
+  /// Power of the changes: an estimate of the power that the iteration still lacked.
+  double missing_power = 0.0;
   /// Per band: additions to IterationFigures::absorbed_power and escaping_power.
   Spectrum absorbed_power, escaping_power;
 };

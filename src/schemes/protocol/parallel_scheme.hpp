@@ -15,8 +15,8 @@ class ParallelScheme {
   virtual ~ParallelScheme() = default;
   /// By which this rank reads and writes clusters; for its RadiosityWork.
   virtual ClusterFiles& files() = 0;
-  /// This rank gathers first for the clusters that it is assigned, so that what it makes of them
-  /// before the first iteration is worth keeping in memory.
+  /// This rank gathers for the clusters that it is assigned (until some are stolen), so that it
+  /// keeps them in memory when it makes them before the first iteration.
   virtual bool gathers_for_its_own() const = 0;
   /// Runs iterations from `plan` on until one is the last; all ranks call it. `changes` corrects
   /// the light of the committed iteration (a resumed run; else empty). `history` holds the

@@ -22,8 +22,8 @@ struct SchemeParts {
   Machine& machine;
 };
 
-/// This rank's part in config.scheme. One rank alone runs the scheme of the paper: it has nobody to
-/// be the master of.
+/// This rank's part in config.scheme. One rank alone runs the paper's scheme, since a master needs
+/// slaves.
 std::unique_ptr<ParallelScheme> make_scheme(const SchemeParts& parts);
 
 }  // namespace enfilade
