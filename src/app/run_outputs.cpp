@@ -31,12 +31,12 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("estimated_patch_error", summary.error.patches);
   record.set("iteration_error_bound", summary.error.iteration_bound);
   record.set("sampled", summary.plan.sample);
-  if (summary.plan.sample) record.set("sample_noise", sample_noise(summary.sums.error_samples));
-  record.set("relative_change", summary.sums.received_power > 0.0
-                                    ? summary.sums.change_power / summary.sums.received_power
+  if (summary.plan.sample) record.set("sample_noise", sample_noise(summary.figures.error_samples));
+  record.set("relative_change", summary.figures.received_power > 0.0
+                                    ? summary.figures.change_power / summary.figures.received_power
                                     : 0.0);
   for_each_figure([&](const FigureName& figure, auto access) {
-    if constexpr (!is_spectrum<decltype(access)>) record.set(figure.name, access(summary.sums));
+    if constexpr (!is_spectrum<decltype(access)>) record.set(figure.name, access(summary.figures));
   });
   record.set("time_s", summary.time_s);
   return record;

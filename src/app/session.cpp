@@ -39,7 +39,7 @@ int Session::fail(const std::exception& error) {
   // The rank that fails is the one that knows what to say, whether or not it speaks otherwise.
   Console(true).error(error.what());
   if (communicator_ && communicator_->size() > 1 && !communicator_->others_know())
-    communicator_->abort(status, machines_are_simulated());
+    communicator_->abort(status);
   return status;
 }
 

@@ -1,5 +1,5 @@
-// MPI behind Communicator. Messages are probed for and then received, never tested for: SMPI keeps
-// in a list what ended by a test, and searches that list at the end of each later activity.
+// Communicator by MPI. Messages are probed for and then received, never tested for: SMPI keeps each
+// request that ended by a test in a list, and searches that list at the end of each later activity.
 #include "comm/communicator.hpp"
 
 #include <mpi.h>
@@ -23,13 +23,16 @@ void check(int code, const char* call) {
                  " failed: " + std::string(text, static_cast<std::size_t>(length)));
 }
 
-/// The tag of a message's part: its bytes go on in the next one from that rank.
+/// The tag of a part of a message that the sender's next one continues.
 constexpr int part_tag = 0;
 
-/// Messages on their way before those that have arrived are looked for.
+/// So many sends may be under way before the completed ones are looked for and forgotten.
 constexpr std::size_t most_sending = 64;
 
-/// A message on its way: its bytes must stay until MPI has taken them.
+/// The longest message that goes in one piece, and the size of a rank's one receive buffer.
+constexpr std::size_t inbox_bytes = 1 << 20;
+
+/// A send under way: its bytes must stay until MPI has taken them.
 struct Pending {
   std::vector<std::byte> bytes;
   MPI_Request request = MPI_REQUEST_NULL;
@@ -42,8 +45,8 @@ struct Communicator::Impl {
   int rank = 0, size = 1;
   std::deque<Pending> sending;
   MessageCount sent;
-  std::vector<std::byte> inbox = std::vector<std::byte>(1 << 20);
-  std::map<int, std::vector<std::byte>> parts;  ///< of messages that have not come whole, by sender
+  std::vector<std::byte> inbox = std::vector<std::byte>(inbox_bytes);
+  std::map<int, std::vector<std::byte>> parts;  ///< of incomplete messages, by sender
 
   void start(int to, int tag, std::vector<std::byte> bytes) {
     ENFILADE_CHECK(bytes.size() <= inbox.size(), std::to_string(bytes.size()) + " bytes");
@@ -53,7 +56,7 @@ struct Communicator::Impl {
                     &p.request),
           "MPI_Isend");
   }
-  /// Forgets what MPI has taken, so that one who sends much keeps little.
+  /// Forgets the sends that MPI has completed, so that a rank that sends much keeps little.
   void drop_sent() {
     std::erase_if(sending, [](Pending& p) {
       int gone = 0;
@@ -61,7 +64,7 @@ struct Communicator::Impl {
       return gone != 0;
     });
   }
-  /// What is longer than the inbox goes in parts; those of one sender arrive in order.
+  /// A message longer than the inbox goes in parts; the parts of one sender arrive in order.
   void send(Rank to, int tag, std::vector<std::byte> bytes) {
     ++sent.messages;
     sent.bytes += bytes.size();
@@ -71,7 +74,8 @@ struct Communicator::Impl {
     bytes.erase(bytes.begin(), at);
     start(to.value, tag, std::move(bytes));
   }
-  /// Receives a message from `source`; none where more parts are to follow.
+  /// Blocks until a message from `source` is here; returns nothing where it was a part that others
+  /// follow.
   std::optional<Envelope> take(int source) {
     MPI_Status status;
     check(MPI_Recv(inbox.data(), static_cast<int>(inbox.size()), MPI_BYTE, source, MPI_ANY_TAG,
@@ -114,7 +118,7 @@ Communicator::~Communicator() {
     MPI_Comm_free(&impl_->comm);
     MPI_Finalize();
   } catch (const std::exception&) {
-    // The run is over: nothing can be done about a broken farewell.
+    // The run is over: nothing can be done about an MPI that fails to end.
   }
 }
 
@@ -138,14 +142,10 @@ std::optional<Envelope> Communicator::poll() {
 }
 
 Envelope Communicator::receive(Machine& machine) {
-  machine.settle();
-  while (machine.simulated()) {  // waiting costs a simulated rank nothing but simulated time
-    if (auto envelope = impl_->take(MPI_ANY_SOURCE)) return std::move(*envelope);
-  }
-  for (int turn = 0;; ++turn) {
-    if (auto envelope = poll()) return std::move(*envelope);
-    machine.pause(turn);
-  }
+  std::optional<Envelope> envelope;
+  machine.wait_for_message([&] { return (envelope = poll()).has_value(); },
+                           [&] { return (envelope = impl_->take(MPI_ANY_SOURCE)).has_value(); });
+  return std::move(*envelope);
 }
 
 void Communicator::finish_sends() { impl_->finish(); }
@@ -205,11 +205,12 @@ void Communicator::on_root(const std::function<void()>& work) {
   if (status != 0) throw PeerFailure(status);
 }
 
-void Communicator::abort(int exit_status, bool simulated) {
+void Communicator::abort(int exit_status) {
   std::cout.flush();
   std::cerr.flush();
-  // All simulated ranks are one process, and SMPI's MPI_Abort would end it with status 0.
-  if (!simulated) MPI_Abort(impl_->comm, exit_status);
+  // The end of a process that all ranks share ends them all; SMPI's MPI_Abort would end it with
+  // status 0.
+  if (!ranks_share_a_process()) MPI_Abort(impl_->comm, exit_status);
   std::_Exit(exit_status);
 }
 

@@ -17,7 +17,7 @@
 
 namespace enfilade {
 
-/// Another rank failed and has told its user; this one ends quietly with the same exit status.
+/// Another rank failed and prints its error; this one ends quietly with the same exit status.
 class PeerFailure : public std::runtime_error {
  public:
   explicit PeerFailure(int exit_status)
@@ -31,8 +31,8 @@ class PeerFailure : public std::runtime_error {
 /// 2 for bad input, 1 for a run that broke.
 int exit_status_of(const std::exception& error);
 
-/// A message as it came: who sent it, its tag, its bytes. What they mean is the sender's and the
-/// receiver's affair (schemes/protocol/messages.hpp).
+/// A received message: its sender, its tag, its bytes. schemes/protocol/messages.hpp says what the
+/// bytes mean.
 struct Envelope {
   Rank from;
   int tag = 0;  ///< 1 or more
@@ -59,13 +59,13 @@ class Communicator {
   /// The next rank in the ring of §3.3.4.
   Rank successor() const { return Rank{(rank().value + 1) % size()}; }
 
-  /// Never blocks: the bytes are kept until they are gone. `tag` is 1 or more.
+  /// Never blocks: the bytes are kept until MPI has sent them. `tag` is 1 or more.
   void send(Rank to, int tag, std::vector<std::byte> bytes);
   /// The next message from anybody, if there is one now.
   std::optional<Envelope> poll();
-  /// Waits for the next message from anybody; pauses as the machine sees fit.
+  /// Waits for the next message from anybody, by Machine::wait_for_message().
   Envelope receive(Machine& machine);
-  /// Waits until all that this rank has sent has left. Only when its receivers are sure to take it.
+  /// Waits until every message of this rank has left. Deadlocks unless its receivers receive them.
   void finish_sends();
   const MessageCount& sent() const;
 
@@ -73,16 +73,17 @@ class Communicator {
   void barrier();
   /// Rank 0's text, on every rank.
   std::string broadcast(const std::string& text);
-  /// On rank 0 everybody's numbers, by rank; elsewhere empty.
+  /// On rank 0 the numbers of all ranks, by rank; elsewhere empty.
   std::vector<std::vector<double>> gather(std::span<const double> numbers);
   /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error
   /// and all others throw PeerFailure, so that one line is printed and all leave in order.
   void on_root(const std::function<void()>& work);
-  /// Work of on_root() failed, so that every rank is on its way out and none need be aborted.
+  /// True once work of on_root() has failed: every rank knows of it and leaves, none need be
+  /// aborted.
   bool others_know() const { return others_know_; }
 
   /// Ends all ranks of the run at once with this exit status, from any of them.
-  [[noreturn]] void abort(int exit_status, bool simulated);
+  [[noreturn]] void abort(int exit_status);
 
  private:
   struct Impl;

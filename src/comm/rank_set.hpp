@@ -1,4 +1,4 @@
-// A set of ranks, a bit each.
+// A set of ranks, as bits.
 #pragma once
 
 #include <cstddef>

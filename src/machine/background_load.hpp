@@ -1,5 +1,5 @@
-// What others take of a disk while the simulated program runs: a share of its time, the same in
-// every run.
+// The load that other programs put on a simulated disk: a share of its time, constant or by a
+// profile over the run, and the same in every run.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@ namespace enfilade {
 
 class BackgroundLoad {
  public:
-  BackgroundLoad() = default;  ///< nothing
-  /// A share of the time in [0, 1), as "0.2"; or a profile over the time of the run, in seconds,
-  /// as "0 0.1, 28800 0.5, 64800 0.1, repeat 86400": from each time on, the share that follows it;
-  /// after `repeat` seconds it begins again, and without it the last share stays.
+  BackgroundLoad() = default;  ///< an idle disk
+  /// `text` is a share of the time in [0, 1), as "0.2"; or a profile over the time of the run, in
+  /// seconds, as "0 0.1, 28800 0.5, 64800 0.1, repeat 86400": from each time on, the share that
+  /// follows it. After `repeat` seconds the profile begins again; without `repeat` the last share
+  /// stays.
   /// Throws InputError(file, where, ...).
   BackgroundLoad(const std::string& text, const std::string& file, const std::string& where);
 
-  /// When work of `seconds` of an idle disk is done that begins at `start_s`.
+  /// The time at which a request ends that begins at `start_s` and takes an idle disk `seconds`.
   double end_s(double start_s, double seconds) const;
 
  private:

@@ -14,7 +14,8 @@ namespace {
 using Json = nlohmann::json;
 using Setter = std::function<void(double)>;
 
-constexpr double most = 1e18;  // of any figure: still a whole number of bytes
+/// The largest figure allowed: a double of this size still is a whole number of bytes.
+constexpr double largest_figure = 1e18;
 
 void read_group(const Json& document, const std::string& path, const std::string& group,
                 const std::map<std::string, Setter>& setters) {
@@ -30,7 +31,7 @@ void read_group(const Json& document, const std::string& path, const std::string
       throw InputError(path, where, "not a cost that is known",
                        "see platforms/README.md for the keys");
     }
-    if (!value.is_number() || value.get<double>() < 0.0 || value.get<double>() > most) {
+    if (!value.is_number() || value.get<double>() < 0.0 || value.get<double>() > largest_figure) {
       throw InputError(path, where, "not a number from 0 to 1e18",
                        "give the cost as such a number");
     }
@@ -58,7 +59,7 @@ Json parse(const std::string& path) {
     return Json::parse(in);
   } catch (const Json::parse_error& error) {
     throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON",
-                     "mend the syntax there");
+                     "correct the syntax there");
   } catch (const Json::exception&) {
     throw InputError(path, "file", "has a number too large to be read", "give numbers up to 1e18");
   }

@@ -9,7 +9,7 @@
 
 namespace enfilade {
 
-/// Flops an operation, by the kinds of WorkCount. The defaults are those of
+/// Flops of one operation, by the kinds of WorkCount. The defaults are those of
 /// platforms/cost_model.json.
 struct FlopCosts {
   double ray = 3000.0;
@@ -20,18 +20,20 @@ struct FlopCosts {
   double patch = 300.0;
   double push_pull = 40.0;
   double shaft = 1500.0;
-  double byte_read = 4.0;  ///< decoding, checksum, copy out of the network
+  double byte_read = 4.0;  ///< of a byte: decoding, checksum, copy out of the network
   double byte_written = 4.0;
 };
 
-/// One request at a disk: wait for the arm, seek, transfer (the platform's bandwidth).
+/// Costs of one request at a disk: it waits for the arm, seeks, and transfers at the platform's
+/// bandwidth.
 struct DiskCosts {
   double seek_s = 0.012;
-  double request_s = 0.001;  ///< of the client: call and answer, beside the wire's own latency
-  std::uint64_t request_bytes = 1 << 20;  ///< a longer transfer queues for the arm again
+  double request_s =
+      0.001;  ///< of a client on another host: call and answer, without the wire's latency
+  std::uint64_t request_bytes = 1 << 20;  ///< a longer transfer is several requests
 };
 
-/// Records of the modelled program; 0 = the true size of this one's.
+/// Sizes of the modelled program's records; all 0 = the true size of this program's sections.
 struct RecordSizes {
   std::uint64_t surface_bytes = 0, patch_bytes = 0, link_bytes = 0;
 };
@@ -42,10 +44,12 @@ struct CostModel {
   RecordSizes records;
 };
 
-/// Throws InputError that names the key for an unknown, missing or negative figure.
+/// Throws InputError, naming the key, for an unknown, missing or negative figure.
 CostModel read_cost_model(const std::string& path);
 
+/// Flops that counted work costs.
 double price_flops(const CostModel& model, const WorkCount& work);
+/// Bytes that a section counts for.
 std::uint64_t price_record(const CostModel& model, const RecordCount& count);
 
 /// "256M" -> bytes; suffixes K, M, G (powers of 1024). Throws InputError(file, where, ...).

@@ -1,14 +1,16 @@
-// The machine that a rank runs on: the real one, or a host of a simulated cluster. The one place
-// where work and bytes become time. `real` and `smpi` implement it; an executable links exactly one
+// The machine that a rank runs on: the real one, or a host of a simulated cluster. Here alone
+// counted work and bytes become time. real.cpp and smpi.cpp implement it; an executable links one
 // of them.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "base/run_record.hpp"
 #include "base/work_count.hpp"
 #include "machine/phase_profile.hpp"
 
@@ -17,8 +19,8 @@ namespace enfilade {
 /// Where bytes live: the common directory (NFS, shared by all ranks) or the rank's local directory.
 enum class Disk { common, local };
 
-/// Seconds that a rank spent, by what it did: io = reading, writing and moving files; idle =
-/// waiting for stolen work, for the others and for the token.
+/// Seconds that a rank spent, by phase: io = reading, writing and moving files; idle = waiting for
+/// stolen work, for other ranks and for the token.
 struct TimeUse {
   double compute_s = 0.0, io_s = 0.0, idle_s = 0.0;
 };
@@ -29,13 +31,20 @@ struct RecordCount {
   std::uint64_t bytes = 0;
 };
 
+/// Of a rank. "Real" and "simulated" below say what `real.cpp` and `smpi.cpp` do; the verbs and
+/// values here are all that the rest of the program sees of the difference.
 class Machine {
  public:
   virtual ~Machine() = default;
-  /// Real: nothing, the work took its time. Simulated: flops by the cost model.
+  /// Counted work was done. Real: nothing, it took its time. Simulated: charges flops by the cost
+  /// model.
   virtual void compute(const WorkCount& work) = 0;
-  /// Called after the real bytes of file number `file` moved. Real: nothing. Simulated: disk, queue
-  /// and wire.
+  /// The same; `listen` is called at the end. Where time passes only by charges, the work is
+  /// charged in parts, and `listen` is called after each, as if the rank had paused in the midst of
+  /// it.
+  void compute_in_parts(const WorkCount& work, const std::function<void()>& listen);
+  /// Called after the real bytes of file number `file` moved. Real: nothing. Simulated: charges
+  /// disk, queue and wire.
   virtual void read(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
   virtual void write(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
   /// From the local to the common directory: a renaming where both lie on one disk, else a copy.
@@ -43,18 +52,34 @@ class Machine {
   /// The size that a section counts for, on the disk and in memory: its own, or (simulated) that of
   /// the records of the modelled program.
   virtual std::uint64_t record_bytes(const RecordCount& count) const = 0;
-  /// Memory of the host that a rank may use; 0 = not known, no limit.
+
+  /// Memory of the host that a rank may use, in bytes; 0 = not known, no limit.
   virtual std::uint64_t memory_bytes() const = 0;
-  /// Before others hear of this rank: what was charged so far has passed. Real: nothing.
-  virtual void settle() {}
+  /// The most memory that this rank has used, in bytes. Real: as measured of its process.
+  /// Simulated: `counted_bytes`, what the caller counted, since all ranks share one process.
+  virtual std::uint64_t peak_memory_bytes(std::uint64_t counted_bytes) const {
+    return counted_bytes;
+  }
+
   /// Seconds since the start: wall clock, or simulated.
   virtual double now_s() const = 0;
-  /// Between two looks at the messages; `turn` counts the looks in vain, so that waiting can back
-  /// off.
+  /// Time passes by itself, as on a wall clock (real), and not only by what is charged (simulated).
+  virtual bool time_passes_by_itself() const = 0;
+  /// Before others hear of this rank: lets pass what was charged so far. Real: nothing.
+  virtual void settle() {}
+  /// Between two polls for messages; `turn` counts the polls in vain, so that waiting can back off.
   virtual void pause(int turn) = 0;
-  virtual bool simulated() const = 0;
+  /// Waits for a message. Real: calls `poll` until it returns true, with pauses in between that
+  /// leave the core to others. Simulated: calls `block`, which waits by itself, until it returns
+  /// true; a rank that waits takes nothing but simulated time.
+  virtual void wait_for_message(const std::function<bool()>& poll,
+                                const std::function<bool()>& block);
+
   /// Name of the host that this rank runs on.
   virtual std::string host() const = 0;
+  /// Adds what only this machine can tell of a run to its record, on rank 0; `longest_s` is the
+  /// longest time, by now_s(), that a rank took. Simulated: `simulated_s`. Real: nothing.
+  virtual void describe(RunRecord& record, double longest_s) const;
 
   /// From now on, time belongs to `phase`. Returns the phase before.
   Phase enter(Phase phase);
@@ -62,9 +87,9 @@ class Machine {
   std::array<double, phase_count> seconds() const;
   TimeUse time_use() const;
 
-  /// From now on, what is done when is kept.
+  /// From now on, phases are kept over time.
   void trace();
-  /// What was done since trace(), over now_s(); nothing without it.
+  /// The phases since trace(), over now_s(); nothing without it.
   std::optional<PhaseProfile> profile() const;
 
  private:
@@ -87,8 +112,9 @@ class PhaseScope {
   Phase before_;
 };
 
-/// What Machine::simulated() will say, before there is one.
-bool machines_are_simulated();
+/// All ranks of a run are threads of one process and share its address space and its exit status:
+/// simulated ones. Else each rank is a process.
+bool ranks_share_a_process();
 /// `cost_model_file` empty = the default of the build. Throws InputError for a bad file.
 std::unique_ptr<Machine> make_machine(const std::string& cost_model_file);
 

@@ -1,4 +1,4 @@
-// One rank's phases over time, and where it ran.
+// One rank's phases over time, and the host that it ran on.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ Spectrum surfaces_power(const Scene& scene, Spectrum emitted);
 /// Share of the light that surfaces send and point lights bring in which was lost between surfaces
 /// (or made: negative), in band b. More absorbed than that is always wrong; less is right as far as
 /// the rest was seen to leave, or may have ended on a black side. `surfaces`: surfaces_power().
-double unbalanced_share(const IterationFigures& sums, const Spectrum& surfaces, std::size_t b);
+double unbalanced_share(const IterationFigures& figures, const Spectrum& surfaces, std::size_t b);
 
 /// IterationPlan::flux_correction for the iteration after `last`: what is lost goes to where the
 /// links are in uncertainty, each patch by its share of that, and never more than all of the doubt.

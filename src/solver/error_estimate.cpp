@@ -24,9 +24,9 @@ double relative(double power, double received) {
 }
 
 /// Share of band b's arriving light that was reflected.
-double reflected_share(const IterationFigures& sums, std::size_t b) {
-  return sums.arriving_power[b] > 0.0
-             ? std::clamp(sums.returning_power[b] / sums.arriving_power[b], 0.0, 1.0)
+double reflected_share(const IterationFigures& figures, std::size_t b) {
+  return figures.arriving_power[b] > 0.0
+             ? std::clamp(figures.returning_power[b] / figures.arriving_power[b], 0.0, 1.0)
              : 0.0;
 }
 
@@ -64,22 +64,23 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
   PointGatherConfig config;
   config.patch_error = patch_error;
   const double fewer = sampled->plan.sample_rays / static_cast<double>(config.rays);
-  const double noise = sample_noise(sampled->sums.error_samples, b) * std::pow(fewer, 0.6);
+  const double noise = sample_noise(sampled->figures.error_samples, b) * std::pow(fewer, 0.6);
   return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
 }
 
 /// The patches' own error in band b.
 double local_error(std::span<const IterationSummary> history, std::size_t b) {
-  const IterationFigures& last = history.back().sums;
+  const IterationFigures& last = history.back().figures;
   const double now = relative(last.link_error_power, last.received_power);
   const IterationSummary* sampled = last_sampled(history);
   if (sampled == nullptr) return share_before_sampling * now;
-  const double then = relative(sampled->sums.link_error_power, sampled->sums.received_power);
-  return residual(sampled->sums.error_samples, b) * (then > 0.0 ? now / then : 1.0);
+  const double then = relative(sampled->figures.link_error_power, sampled->figures.received_power);
+  return residual(sampled->figures.error_samples, b) * (then > 0.0 ? now / then : 1.0);
 }
 
-double most_reflected(const IterationFigures& sums) {
-  return worst(sums.arriving_power.size(), [&](std::size_t b) { return reflected_share(sums, b); });
+double most_reflected(const IterationFigures& figures) {
+  return worst(figures.arriving_power.size(),
+               [&](std::size_t b) { return reflected_share(figures, b); });
 }
 
 /// The same links, closed and mended alike: only then does one change tell of the one before.
@@ -89,8 +90,8 @@ bool comparable(const IterationSummary& last, const IterationSummary& before) {
 }
 
 double ratio(const IterationSummary& last, const IterationSummary& before) {
-  const double change = before.sums.change_power;
-  return change > 0.0 ? last.sums.change_power / change : 0.0;
+  const double change = before.figures.change_power;
+  return change > 0.0 ? last.figures.change_power / change : 0.0;
 }
 
 /// The last two changes. One that rows being closed or light being mended has made is passed on as
@@ -99,7 +100,7 @@ double change_ratio(std::span<const IterationSummary> history) {
   if (history.size() < 2) return 0.0;
   const IterationSummary& last = history.back();
   const IterationSummary& before = history[history.size() - 2];
-  return std::min(comparable(last, before) ? ratio(last, before) : most_reflected(last.sums),
+  return std::min(comparable(last, before) ? ratio(last, before) : most_reflected(last.figures),
                   0.9999);
 }
 
@@ -112,7 +113,8 @@ double steady_ratio(std::span<const IterationSummary> history) {
   };
   std::vector<Step> steps;  // the last one first
   for (std::size_t i = history.size(); i-- > 1 && steps.size() < 3;) {
-    if (history[i].sums.work.links_refined + history[i - 1].sums.work.links_refined > 0) break;
+    if (history[i].figures.work.links_refined + history[i - 1].figures.work.links_refined > 0)
+      break;
     if (comparable(history[i], history[i - 1]))
       steps.push_back({i, ratio(history[i], history[i - 1])});
   }
@@ -131,8 +133,8 @@ double steady_ratio(std::span<const IterationSummary> history) {
 /// the coarse system's, which is never taken for better than it was this time.
 double still_to_come(const IterationSummary& last, double passed_on) {
   const double series = passed_on / (1.0 - passed_on);
-  return relative(series * last.sums.change_power + std::max(1.0, series) * last.missing_power,
-                  last.sums.received_power);
+  return relative(series * last.figures.change_power + std::max(1.0, series) * last.missing_power,
+                  last.figures.received_power);
 }
 
 }  // namespace
@@ -141,7 +143,7 @@ double contraction(std::span<const IterationSummary> history) {
   if (history.empty()) return 0.0;
   const double steady = steady_ratio(history);
   if (history.back().corrected && steady > 0.0) return steady;
-  return std::min(std::max(most_reflected(history.back().sums), change_ratio(history)), 0.9999);
+  return std::min(std::max(most_reflected(history.back().figures), change_ratio(history)), 0.9999);
 }
 
 double sample_noise(const ErrorSampleSums& sums) {
@@ -155,17 +157,18 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
     return estimate;
   }
   const IterationSummary& last = history.back();
-  const IterationFigures& sums = last.sums;
+  const IterationFigures& figures = last.figures;
   estimate.iteration = still_to_come(last, change_ratio(history));
   estimate.iteration_bound = still_to_come(last, contraction(history));
   const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
   const auto all_over = [&](std::size_t b) {
-    return still ? std::max(0.0, std::abs(unbalanced_share(sums, surfaces, b)) - estimate.iteration)
+    return still ? std::max(0.0,
+                            std::abs(unbalanced_share(figures, surfaces, b)) - estimate.iteration)
                  : 0.0;
   };
-  const std::size_t bands = std::min(surfaces.size(), sums.absorbed_power.size());
+  const std::size_t bands = std::min(surfaces.size(), figures.absorbed_power.size());
   const auto seen_by_points = [&](std::size_t b) {
-    return reflected_share(sums, b) *
+    return reflected_share(figures, b) *
            std::hypot(share_seen_together * local_error(history, b), all_over(b));
   };
   estimate.patches = estimate.iteration + worst(bands, [&](std::size_t b) {
@@ -174,8 +177,9 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   const double links = worst(bands, [&](std::size_t b) {
     return std::hypot(seen_by_points(b), gather_noise(last_sampled(history), estimate.patches, b));
   });
-  const double uncertainty =
-      sums.link_error_power > 0.0 ? sums.visibility_uncertainty_power / sums.link_error_power : 0.0;
+  const double uncertainty = figures.link_error_power > 0.0
+                                 ? figures.visibility_uncertainty_power / figures.link_error_power
+                                 : 0.0;
   estimate.visibility = uncertainty * links;
   estimate.discretisation = links - estimate.visibility;
   return estimate;

@@ -17,14 +17,14 @@ IterationSummary summary_of(const IterationPlan& plan, IterationFigures figures,
                             const Correction* correction, double time_s) {
   IterationSummary summary;
   summary.plan = plan;
-  summary.sums = std::move(figures);
+  summary.figures = std::move(figures);
   summary.time_s = time_s;
   if (correction == nullptr) return summary;
   summary.corrected = true;
   summary.missing_power = correction->missing_power;
   for (std::size_t b = 0; b < correction->absorbed_power.size(); ++b) {
-    summary.sums.absorbed_power[b] += correction->absorbed_power[b];
-    summary.sums.escaping_power[b] += correction->escaping_power[b];
+    summary.figures.absorbed_power[b] += correction->absorbed_power[b];
+    summary.figures.escaping_power[b] += correction->escaping_power[b];
   }
   return summary;
 }

@@ -56,7 +56,7 @@ std::vector<double> to_numbers(const IterationSummary& summary) {
   numbers.push_back(summary.error.patches);
   numbers.push_back(summary.error.iteration_bound);
   numbers.push_back(summary.time_s);
-  const FoldedNumbers figures = to_numbers(summary.sums);
+  const FoldedNumbers figures = to_numbers(summary.figures);
   numbers.insert(numbers.end(), figures.maxima.begin(), figures.maxima.end());
   numbers.insert(numbers.end(), figures.sums.begin(), figures.sums.end());
   return numbers;
@@ -75,8 +75,8 @@ IterationSummary summary_from(std::span<const double> numbers) {
   summary.error.iteration_bound = n.next();
   summary.time_s = n.next();
   const std::size_t maxima = to_numbers(IterationFigures{}).maxima.size();
-  summary.sums = figures_from(n.rest().first(std::min(maxima, n.rest().size())),
-                              n.rest().subspan(std::min(maxima, n.rest().size())));
+  summary.figures = figures_from(n.rest().first(std::min(maxima, n.rest().size())),
+                                 n.rest().subspan(std::min(maxima, n.rest().size())));
   return summary;
 }
 

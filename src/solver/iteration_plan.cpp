@@ -40,7 +40,7 @@ int rays_of_a_sample(const PlanConfig& config) {
 bool links_were_sampled(std::span<const IterationSummary> history) {
   for (std::size_t i = history.size(); i-- > 0;) {
     if (history[i].plan.sample) return true;
-    if (history[i].sums.work.links_refined > 0) return false;
+    if (history[i].figures.work.links_refined > 0) return false;
   }
   return false;
 }
@@ -53,7 +53,7 @@ bool nothing_left_to_refine(std::span<const IterationSummary> history) {
     if (!history[i].plan.refine) continue;
     if (last_refining == nullptr) {
       last_refining = &history[i];
-      if (last_refining->sums.work.links_refined > 0) return false;
+      if (last_refining->figures.work.links_refined > 0) return false;
     } else {
       return last_refining->plan.link_tolerance < history[i].plan.link_tolerance;
     }
@@ -137,10 +137,10 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   const IterationSummary& last = history.back();
   Observation seen;
   seen.light_is_everywhere =
-      relative(last.sums.change_power, last.sums.received_power) < w.settled_change;
+      relative(last.figures.change_power, last.figures.received_power) < w.settled_change;
   seen.few_links_refined =
-      static_cast<double>(last.sums.work.links_refined) * w.links_per_refined <=
-      static_cast<double>(last.sums.links);
+      static_cast<double>(last.figures.work.links_refined) * w.links_per_refined <=
+      static_cast<double>(last.figures.links);
   seen.rows_as_before = last.plan.close_rows == plan.close_rows;
   seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
   const double bound = last.error.iteration_bound;
@@ -148,7 +148,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   // What the links are wrong by shows before the light has come to rest.
   seen.good_enough_to_sample =
       bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
-  const bool hold_patches = (config.patch_links == 0 || last.sums.links <= config.patch_links) &&
+  const bool hold_patches = (config.patch_links == 0 || last.figures.links <= config.patch_links) &&
                             !refinement_stagnates(history, true, w);
   seen.links_error = links_error(last.error, hold_patches);
   return seen;
@@ -168,9 +168,10 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
   plan.finished = plan.converged = plan.sample = false;
-  plan.received_power = last.sums.received_power;
+  plan.received_power = last.figures.received_power;
   const bool light_is_everywhere =
-      relative(last.sums.change_power, last.sums.received_power) < config.weights.settled_change;
+      relative(last.figures.change_power, last.figures.received_power) <
+      config.weights.settled_change;
   // Once closed, rows stay so: closure moves the light as well, and opening them again would move
   // it back for ever.
   plan.close_rows = light_is_everywhere || last.plan.close_rows;
@@ -181,8 +182,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // what arrives.
   if (!seen.light_is_everywhere && config.epsilon <= 0.0) {
     plan.link_tolerance =
-        first_epsilon(config) *
-        std::max(worst_band(config.emitted_power), last.sums.received_power + last.missing_power);
+        first_epsilon(config) * std::max(worst_band(config.emitted_power),
+                                         last.figures.received_power + last.missing_power);
   }
   // Links that were not refined last time are fine at today's light too, as it hardly changes.
   plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);

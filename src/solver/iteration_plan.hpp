@@ -36,7 +36,7 @@ struct ErrorEstimate {
 /// One committed iteration.
 struct IterationSummary {
   IterationPlan plan;
-  IterationFigures sums;
+  IterationFigures figures;
   bool corrected = false;      ///< by the coarse system; what is absorbed and escapes is after that
   double missing_power = 0.0;  ///< what the coarse system says the iteration still lacked
   ErrorEstimate error;

@@ -348,7 +348,8 @@ void BasicResidentClusters<State>::evict() {
   }
   // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4);
   // on a simulated machine memory is counted, not measured.
-  if (manager_ == MemoryManager::own && !machine_.simulated() && freed_bytes_ > budget_bytes_ / 8) {
+  if (manager_ == MemoryManager::own && !ranks_share_a_process() &&
+      freed_bytes_ > budget_bytes_ / 8) {
     malloc_trim(0);
     freed_bytes_ = 0;
   }

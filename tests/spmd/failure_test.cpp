@@ -7,12 +7,12 @@ namespace enfilade::spmd_tests {
 void failing_rank(Context& context) {
   Communicator& c = context.communicator;
   if (c.rank().value == c.size() - 1) throw RunError("the disk of this rank has burnt down");
-  c.receive(context.machine);  // which will never come
+  c.receive(context.machine);  // waits for a message that will never come
 }
 
 void failing_root(Context& context) {
   context.communicator.on_root(
-      [] { throw InputError("a.json", "surfaces[0]", "is bad", "mend it"); });
+      [] { throw InputError("a.json", "surfaces[0]", "is bad", "correct it"); });
   SPMD_CHECK(false, "a rank went on after rank 0 had refused the input");
 }
 

@@ -57,7 +57,7 @@ struct Run {
     const auto next = [&](const std::vector<IterationSummary>& so_far) {
       IterationPlan p = so_far.back().plan;
       ++p.iteration;
-      p.converged = so_far.back().sums.max_change <= tolerance;
+      p.converged = so_far.back().figures.max_change <= tolerance;
       p.finished = p.converged || so_far.back().plan.iteration >= iterations;
       return p;
     };
@@ -67,10 +67,10 @@ struct Run {
   }
 };
 
-/// A block's gather takes this long; a thousand times as long where it costs nothing to wait, so
-/// that there as well it is the gathers that count and not the files.
+/// Spends `seconds`, as a block's gather. Where time passes only by charges, a thousand times as
+/// long, so that there as well gathers take longer than the files.
 void labour_for(Machine& machine, double seconds) {
-  if (machine.simulated()) {
+  if (!machine.time_passes_by_itself()) {
     WorkCount work;
     work.rays = static_cast<std::uint64_t>(seconds * 1e12 / 3000.0);
     machine.compute(work);
@@ -151,8 +151,8 @@ void stealing(Context& context) {
     for (const int t : turns) SPMD_CHECK(t == 4, std::to_string(t) + " turns in 4 iterations");
     std::uint64_t steals = 0, requests = 0;
     for (const IterationSummary& summary : run.history) {
-      steals += summary.sums.steals;
-      requests += summary.sums.steal_requests;
+      steals += summary.figures.steals;
+      requests += summary.figures.steal_requests;
     }
     const bool alone = context.communicator.size() == 1;
     SPMD_CHECK((steals > 0) == !alone, std::to_string(steals) + " steals");
@@ -174,7 +174,7 @@ void linear_system(Context& context) {
     std::cout << "went on after iteration " << before << ", ended after iteration " << now
               << std::endl;
     std::uint64_t values = 0;
-    for (const IterationSummary& summary : run.history) values += summary.sums.patches;
+    for (const IterationSummary& summary : run.history) values += summary.figures.patches;
     SPMD_CHECK(values == now * run.system.size(), "a block missed a turn");
   });
 }

@@ -105,22 +105,22 @@ IterationFigures LinearSystemWork::gather(ClusterId receiver) {
   load(receiver.index());
   for (const std::uint32_t n : system_.graph.neighbours(receiver.index())) load(n);
 
-  IterationFigures sums;
+  IterationFigures figures;
   for (std::size_t i = first; i < first + size; ++i) {
     double value = system_.b[i];
     for (std::size_t j = 0; j < x.size(); ++j) value += system_.m(i, j) * x[j];
-    sums.max_change = std::max(sums.max_change, std::abs(value - x[i]));
-    sums.change_power += std::abs(value - x[i]);
-    sums.received_power += value;
+    figures.max_change = std::max(figures.max_change, std::abs(value - x[i]));
+    figures.change_power += std::abs(value - x[i]);
+    figures.received_power += value;
     x[i] = value;
   }
-  sums.patches = size;
-  sums.work.kernels = size * x.size();
-  machine_.compute(sums.work);
+  figures.patches = size;
+  figures.work.kernels = size * x.size();
+  machine_.compute(figures.work);
   const std::span<const double> block(x.data() + first, size);
   store_.write(receiver, std::as_bytes(block), record_of(size), {}, {});
   gathered_.push_back(receiver);
-  return sums;
+  return figures;
 }
 
 void LinearSystemWork::commit(const std::vector<IterationSummary>& history, std::span<const double>,

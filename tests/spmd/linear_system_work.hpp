@@ -41,7 +41,7 @@ class LinearSystemWork final : public ClusterWork {
   IterationFigures gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return gathered_; }
   void move_to_common() override { store_.move_to_common(); }
-  void commit(const std::vector<IterationSummary>& history, std::span<const double> offsets,
+  void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
   /// All of x as it was committed.

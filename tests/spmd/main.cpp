@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::cerr << "rank " << communicator.rank().value << ": " << error.what() << std::endl;
     if (communicator.others_know()) return exit_status_of(error);
-    communicator.abort(exit_status_of(error), machine->simulated());
+    communicator.abort(exit_status_of(error));
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// The token ring of §3.3.4: everybody's numbers come together, everybody hears the decision.
+// The token ring of §3.3.4: rank 0 gets the numbers of all ranks, all ranks get the decision.
 #include "schemes/spmd/ring.hpp"
 #include "check.hpp"
 #include "visibility/cluster_graph.hpp"

@@ -52,7 +52,7 @@ RunRecord solve_furnace(Context& context, SolveConfig config) {
   return record;
 }
 
-/// For a run that is killed and goes on: as many iterations as it takes to stand still.
+/// For a run that is killed and resumed: iterates until the light stands still.
 void solve_to_the_end(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
@@ -64,8 +64,7 @@ void solve_to_the_end(Context& context, Scheme scheme) {
   });
 }
 
-/// Alone, a rank has nobody to send to; else the clusters go by messages, and rank 0 alone has
-/// files.
+/// With several ranks the clusters go by messages, and rank 0 alone has files; one rank sends none.
 void solve_rooms_with_a_master(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
@@ -78,7 +77,7 @@ void solve_rooms_with_a_master(Context& context, Scheme scheme) {
   config.coarse_correction = false;
   const RunRecord spmd = solve_furnace(context, config);
   context.communicator.on_root([&] {
-    SPMD_CHECK(planned.number("steals", 1) == 0, "stolen though told not to");
+    SPMD_CHECK(planned.number("steals", 1) == 0, "stolen without stealing");
     if (context.communicator.size() == 1) return;
     const double sent = dealt.number("message_bytes", 0), few = spmd.number("message_bytes", 0);
     SPMD_CHECK(sent > 10.0 * few, std::to_string(sent) + " and " + std::to_string(few));
@@ -126,8 +125,8 @@ void solve_rooms_by_jacobi(Context& context) {
 }
 
 void solve_in_little_memory(Context& context) {
-  // A quarter of what the clusters take: the same answer, to the digit where one rank does all, and
-  // more reading.
+  // A budget of a quarter of the clusters' size: the same solution, to the digit on one rank, and
+  // more bytes read.
   Communicator& c = context.communicator;
   const std::string run = context.directory + "/RUN";
   const Prepared prepared = prepared_in(context, run, furnace());
@@ -152,7 +151,7 @@ void solve_in_little_memory(Context& context) {
     SPMD_CHECK(peak < 0.75 * rich.number("peak_cluster_bytes", 0), std::to_string(peak));
     SPMD_CHECK(
         peak <= static_cast<double>(config.memory_bytes) + poor.number("over_budget_bytes", 0),
-        "more in memory than the run owns up to");
+        "more in memory than the run reports");
   });
 }
 
@@ -187,8 +186,8 @@ void schemes_give_the_sequential_light(Context& context) {
       const auto& last = expected.history.back();
       SPMD_CHECK(record.number("iterations", 0) == static_cast<double>(expected.history.size()),
                  std::to_string(expected.history.size()));
-      SPMD_CHECK(record.number("links", 0) == static_cast<double>(last.sums.links),
-                 std::to_string(last.sums.links));
+      SPMD_CHECK(record.number("links", 0) == static_cast<double>(last.figures.links),
+                 std::to_string(last.figures.links));
       SPMD_CHECK(std::abs(record.number("estimated_error", 0) - last.error.total()) < 1e-9,
                  std::to_string(last.error.total()));
     });

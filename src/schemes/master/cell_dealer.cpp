@@ -9,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-/// Cells as the nodes of a graph of their own: those see each other that have clusters which do.
+/// The graph of cells: two cells see each other if two of their clusters do.
 struct CellGraph {
   std::vector<std::vector<ClusterId>> cells;
   ClusterGraph graph;
@@ -94,7 +94,7 @@ bool CellDealer::open_cell() {
                    [this](ClusterId a, ClusterId b) { return work_.of(a) > work_.of(b); });
   std::vector<double> load(slaves_.size(), 0.0);
   for (Slave& slave : slaves_) slave.holds_cell = false;
-  for (const ClusterId c : heaviest_first) {  // each to whom has least so far
+  for (const ClusterId c : heaviest_first) {  // each to the slave with the least work so far
     const auto to = std::min_element(load.begin(), load.end());
     *to += work_.of(c);
     slaves_[static_cast<std::size_t>(to - load.begin())].tasks.push_back(c);
@@ -132,9 +132,9 @@ std::optional<WorkOrder> CellDealer::next(Rank rank) {
   WorkOrder order{{*task}, false, {}, {}};
   if (!slave.holds_cell) {
     order.hold = cells_[cell_];
-    order.gathered.assign(gathered_.begin() + static_cast<std::ptrdiff_t>(slave.told),
+    order.gathered.assign(gathered_.begin() + static_cast<std::ptrdiff_t>(slave.notified),
                           gathered_.end());
-    slave.told = gathered_.size();
+    slave.notified = gathered_.size();
     slave.holds_cell = true;
   }
   return order;

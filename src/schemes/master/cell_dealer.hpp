@@ -1,4 +1,5 @@
-// The replicated CV-sets of [8] (C.-C. Feng and S.-N. Yang, PRS 97), as RR-3425 §2.2 tells of them.
+// The replicated CV-sets of [8] (C.-C. Feng and S.-N. Yang, PRS 97), as RR-3425 §2.2 describes
+// them.
 #pragma once
 
 #include <deque>
@@ -10,21 +11,22 @@
 
 namespace enfilade {
 
-/// One cell after the other has its turn, and all slaves work on it: its CV-set, that is its
+/// The cells take turns, and all slaves work on one cell at a time: its CV-set, that is its
 /// clusters and all that they see, is copied to every slave that works on it, and its clusters are
 /// dealt by estimated workload. In the first iteration the cells come in the order of a travelling
-/// salesman, in later ones by unshot energy; a slave that is done steals.
+/// salesman, in later ones by unshot energy; a slave that is out of work steals.
 ///
-/// Where this differs from §2.2, or settles what it leaves open:
-/// - [8] shoots the energy of a cell's patches; here a cell's clusters gather, with the kernels
-/// that
-///   all schemes share, and the finest task is one cluster.
-/// - The travelling salesman's costs are those of OVG between cells: bytes of cells seen from the
-/// one
-///   and not from the other.
+/// Differences from §2.2, and decisions that it leaves open:
+/// - [8] shoots the energy of a cell's patches; here a cell's clusters gather, with the kernels of
+/// all
+///   schemes, and the smallest task is one cluster.
+/// - The travelling salesman's costs are those of OVG between cells: bytes of the clusters seen
+/// from
+///   one cell and not from the other.
 /// - A cell's unshot energy is the light that waits for its clusters (tour/unshot_energy.hpp).
-/// - The master keeps what is not yet begun, so that stealing is asking it (--no-steal: it
-/// refuses).
+/// - The master keeps the tasks that are not begun, so that a slave steals by a request to the
+/// master,
+///   which refuses under --no-steal.
 /// - The next cell begins when this one is done, with the newest light.
 class CellDealer final : public Dealer {
  public:
@@ -39,11 +41,11 @@ class CellDealer final : public Dealer {
  private:
   using Clusters = std::vector<ClusterId>;
   struct Slave {
-    std::deque<ClusterId> tasks;  ///< of the cell at hand
-    std::size_t told = 0;         ///< of gathered_
-    bool holds_cell = false;
+    std::deque<ClusterId> tasks;  ///< of the current cell
+    std::size_t notified = 0;     ///< so many of gathered_ were in its orders
+    bool holds_cell = false;      ///< has been sent the current cell's CV-set
   };
-  /// Deals the next cell; false where all have had their turn.
+  /// Deals the next cell; returns false where all have had their turn.
   bool open_cell();
   std::size_t choose_cell() const;
   std::optional<ClusterId> task_for(Slave& slave);
@@ -53,10 +55,10 @@ class CellDealer final : public Dealer {
   bool steal_, first_iteration_ = true;
   std::vector<Clusters> cells_;             ///< in the travelling salesman's order
   std::vector<std::size_t> cells_to_come_;  ///< of this iteration, places in cells_
-  std::size_t cell_ = 0;                    ///< at hand
+  std::size_t cell_ = 0;                    ///< the current one
   std::vector<Slave> slaves_;
   std::size_t under_way_ = 0;  ///< clusters that slaves are gathering for
-  Clusters gathered_;          ///< in this iteration, as they came in
+  Clusters gathered_;          ///< in this iteration, in the order of the notes
   std::uint64_t moved_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a master deals out in an iteration, and to whom.
+// A dealer decides for the master which clusters each slave gathers for.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace enfilade {
 class Dealer {
  public:
   virtual ~Dealer() = default;
-  /// A new iteration: every cluster waits for its turn.
+  /// Begins an iteration: every cluster waits for its turn.
   virtual void start() = 0;
-  /// What a slave is to do that has nothing to do: an order without clusters where this iteration
-  /// has nothing more for it, none where it must wait until others are done. Every slave asks until
-  /// it gets an order without clusters.
+  /// The next order for a slave that is out of work. An order without clusters: this iteration has
+  /// no more work for it. No order: it must wait until other slaves are done. Every slave requests
+  /// work until it gets an order without clusters.
   virtual std::optional<WorkOrder> next(Rank slave) = 0;
-  /// A slave has carried out this part of its order.
+  /// Notes a gather of a slave.
   virtual void done(Rank slave, const GatherNote& note) = 0;
-  /// Clusters of this iteration that a slave got which were planned for another.
+  /// Number of clusters of this iteration that were dealt to another slave than planned.
   virtual std::uint64_t moved() const = 0;
 };
 

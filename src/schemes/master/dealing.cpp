@@ -29,7 +29,8 @@ Token Master::deal() {
   IterationFigures own;
   own.steals = dealer_.moved();
   Token all = own_token(work_, own, coarse_correction_);
-  for (const auto& [slave, token] : tokens_)  // in the order of the ranks, so that sums repeat
+  for (const auto& [slave, token] :
+       tokens_)  // in the order of the ranks: the same sums in each run
     add_token(work_, all, token, coarse_correction_);
   return all;
 }
@@ -70,12 +71,12 @@ WorkOrder ask_for_work(Communicator& communicator, Machine& machine, WorkRequest
 
 IterationFigures carry_out(ClusterWork& work, RemoteFiles& files, Communicator& communicator,
                            Machine& machine) {
-  IterationFigures sums;
+  IterationFigures figures;
   WorkRequest request;
   while (true) {
     const WorkOrder order = ask_for_work(communicator, machine, std::move(request));
-    ++sums.steal_requests;
-    if (order.gather.empty()) return sums;
+    ++figures.steal_requests;
+    if (order.gather.empty()) return figures;
     request = {};
     files.know_gathered(order.gathered);
     if (!order.hold.empty()) work.hold(order.hold);
@@ -83,7 +84,7 @@ IterationFigures carry_out(ClusterWork& work, RemoteFiles& files, Communicator& 
       if (order.hold_each) work.hold({&receiver, 1});
       const IterationFigures part = work.gather(receiver);
       request.done.push_back({receiver, part.change_power, part.links});
-      add(sums, part);
+      add(figures, part);
     }
   }
 }
@@ -95,10 +96,10 @@ IterationPlan run_slave(ClusterWork& work, RemoteFiles& files, Communicator& com
                         std::vector<double> changes) {
   while (!plan.finished) {
     work.begin(plan, changes);
-    const IterationFigures sums = carry_out(work, files, communicator, machine);
+    const IterationFigures figures = carry_out(work, files, communicator, machine);
     work.move_to_common();
     const PhaseScope phase(machine, Phase::token);
-    send(communicator, Rank{0}, own_token(work, sums, coarse_correction));
+    send(communicator, Rank{0}, own_token(work, figures, coarse_correction));
     Decision decision = receive_from_master<Decision>(communicator, machine);
     communicator.finish_sends();
     plan = plan_from(decision.plan);

@@ -1,5 +1,5 @@
-// The loop of the schemes with a master: rank 0 owns the files and deals out the work, all others
-// gather, and everything goes by messages (§2.1, §2.2).
+// The loop of the schemes with a master: rank 0 owns the files and deals out the work, all other
+// ranks gather, and clusters and results go by messages (§2.1, §2.2).
 #pragma once
 
 #include <map>
@@ -11,10 +11,10 @@
 
 namespace enfilade {
 
-/// A round of an iteration. Slave to master: WorkRequest; master to slave: WorkOrder. On the way,
-/// as often as needed, SectionRequest and SectionReply, and a ClusterResult for each gather. After
-/// an order without clusters, slave to master: Token; when all have come, master to slaves:
-/// Decision.
+/// The messages of an iteration. Slave to master: WorkRequest; master to slave: WorkOrder; these
+/// repeat. While a slave carries out an order, it sends SectionRequests, which the master answers
+/// by SectionReplies, and a ClusterResult for each gather. After an order without clusters, slave
+/// to master: Token. When all tokens have come, master to slaves: Decision.
 class Master {
  public:
   /// All must outlive it. `work` gathers nothing here: it merges, corrects and commits.
@@ -31,10 +31,10 @@ class Master {
   IterationPlan run(IterationPlan plan, std::vector<double> changes);
 
  private:
-  /// Serves the slaves until each has sent its token; everybody's numbers.
+  /// Serves the slaves until each has sent its token; returns the numbers of all ranks.
   Token deal();
   void serve(Rank slave, Message message);
-  /// Answers those that can be answered now.
+  /// Sends orders to the waiting slaves that the dealer has one for.
   void answer_waiting();
 
   ClusterWork& work_;
@@ -44,7 +44,7 @@ class Master {
   Machine& machine_;
   ConvergenceMonitor& monitor_;
   bool coarse_correction_;
-  std::vector<Rank> waiting_;  ///< for an order, in the order of their requests
+  std::vector<Rank> waiting_;  ///< slaves without an order, in the order of their requests
   std::map<Rank, Token> tokens_;
 };
 

@@ -6,7 +6,8 @@
 
 namespace enfilade {
 namespace {
-constexpr int groups_a_slave = 4;
+constexpr int groups_a_slave =
+    4;  // more balance the load better, fewer reuse a slave's memory better
 constexpr Rank nobody{0};
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The group iteration of [6] (T. Funkhouser, SIGGRAPH 96), as RR-3425 §2.1 tells of it.
+// The group iteration of [6] (T. Funkhouser, SIGGRAPH 96), as RR-3425 §2.1 describes it.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,19 @@
 namespace enfilade {
 
 /// The master splits the graph of clusters, weighted by estimated form factors, into groups, and
-/// hands them to the slaves; a slave gathers for its group and sends the master what came of it.
-/// Which slave has which group varies, and so the load is balanced.
+/// deals them to the slaves; a slave gathers for its group and sends the master the results. The
+/// load is balanced by dealing a group to another slave in another iteration.
 ///
-/// What §2.1 leaves open is settled here as follows.
-/// - Groups: four a slave, grown greedily (assignment/greedy_groups.hpp); --order arranges a group.
+/// Decisions that §2.1 leaves open:
+/// - Groups: four for each slave, grown greedily (assignment/greedy_groups.hpp); --order arranges a
+///   group.
 /// - Balance: a slave gets the groups that it had in the last iteration, whose clusters may still
 /// be
-///   in its memory, those of most work first; then one that nobody has had; then the lightest of
+///   in its memory, the heaviest first; then one that no slave has had; then the lightest group of
 ///   the slave with most work waiting. --no-steal: a group stays with its first slave.
-/// - A slave holds what one receiver sees at a time, which it asks the master for in one message.
-/// - Within a group the newest light is gathered, of other groups the last iteration's: §8's
-/// iteration.
+/// - A slave holds the clusters that one receiver sees at a time, requested in one message.
+/// - Within a group the newest light is gathered, of other groups that of the last iteration: the
+///   iteration of §8.
 class GroupDealer final : public Dealer {
  public:
   GroupDealer(const Prepared& prepared, int slaves, const Order& order, const VisibilityCost& cost,
@@ -34,7 +35,7 @@ class GroupDealer final : public Dealer {
  private:
   struct Group {
     std::vector<ClusterId> clusters;
-    Rank slave;  ///< that had it last; none: rank 0, which is the master
+    Rank slave;  ///< that had it last; rank 0, the master, stands for none
     bool waiting = false;
   };
   double work_of(const Group& group) const;

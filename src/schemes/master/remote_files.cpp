@@ -50,7 +50,7 @@ SectionReply read_for(ClusterStore& store, const SectionRequest& request) {
       case Section::geometry:
         reply.sections.push_back(store.read_geometry(name.cluster));
         break;
-      case Section::patches:  // what nobody has gathered for is read so that its links are found
+      case Section::patches:  // read_patches() of a cluster without a gather also locates its links
         reply.sections.push_back(name.committed && store.written(name.cluster)
                                      ? store.read_committed_patches(name.cluster)
                                      : store.read_patches(name.cluster));

@@ -1,4 +1,4 @@
-// A slave's way to the clusters: by messages to the master, who alone reads and writes the files.
+// The cluster files of a slave: messages to the master, which alone reads and writes files.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class RemoteFiles final : public ClusterFiles {
   RemoteFiles(Communicator& communicator, Machine& machine)
       : communicator_(communicator), machine_(machine) {}
 
-  /// These have been gathered for in this iteration, by others: their newest light may be seen.
+  /// Other slaves have gathered for these clusters in this iteration: their newest light is read.
   void know_gathered(std::span<const ClusterId> clusters) {
     written_.insert(clusters.begin(), clusters.end());
   }
@@ -38,7 +38,7 @@ class RemoteFiles final : public ClusterFiles {
   void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
              std::span<const std::byte> links, const RecordCount& links_count) override;
   bool written(ClusterId id) const override { return written_.contains(id); }
-  /// The master moves the files; what was fetched is out of date.
+  /// The master moves the files; fetched sections are out of date.
   void move_to_common() override;
 
  private:
@@ -55,7 +55,8 @@ class RemoteFiles final : public ClusterFiles {
 SectionReply read_for(ClusterStore& store, const SectionRequest& request);
 void write_for(ClusterStore& store, const ClusterResult& result);
 
-/// Waits for the next message, which must be a T; for ranks that talk to the master alone.
+/// Waits for the next message, which must be a T: a slave gets messages from the master alone.
+/// Throws RunError for any other.
 template <class T>
 T receive_from_master(Communicator& communicator, Machine& machine) {
   Received received = receive(communicator, machine);

@@ -1,4 +1,4 @@
-// How much work a cluster's gather is likely to be, for a master that deals it out (§2.2).
+// Estimates of the work of each cluster's gather, by which a master deals clusters out (§2.2).
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace enfilade {
 
-/// In links: before a cluster's first gather, pairs of one of its polygons with one that it may
-/// see; then the links that its last gather went over.
+/// In links: before a cluster's first gather, the number of pairs of one of its polygons with a
+/// polygon that it may see; then the number of links of its last gather.
 class WorkEstimate {
  public:
   explicit WorkEstimate(const Prepared& prepared) {

@@ -1,4 +1,5 @@
-// What the SPMD loop asks of the work that it shares out: gathers for clusters, and their files.
+// The work that a parallel scheme shares out among the ranks: gathers for clusters, and their
+// files. RadiosityWork computes; ReplayWork charges recorded gathers.
 #pragma once
 
 #include <functional>
@@ -13,40 +14,49 @@ namespace enfilade {
 class ClusterWork {
  public:
   virtual ~ClusterWork() = default;
-  /// Iteration plan.iteration - 1 is committed; its light is corrected by `changes`, and the
-  /// iteration of the plan begins.
+  /// Begins iteration `plan.iteration`. The one before is committed, and its light is corrected by
+  /// `changes`.
   virtual void begin(const IterationPlan& plan, std::span<const double> changes) = 0;
-  /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the cluster's part of the
-  /// sums.
+  /// GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2. Returns the figures of this
+  /// gather.
   virtual IterationFigures gather(ClusterId receiver) = 0;
-  /// Brings all that these receivers see into memory at once, and keeps it until the next call. Not
-  /// needed before a gather; a rank whose clusters come by messages is better off with it.
+  /// Brings all that these receivers see into memory at once, and keeps it until the next call.
+  /// Never necessary before a gather; saves messages where the clusters come by messages.
   virtual void hold(std::span<const ClusterId>) {}
-  /// The clusters in this rank's memory, which a thief tells its victim.
+  /// The clusters in this rank's memory; a thief sends them in its steal request.
   virtual std::vector<ClusterId> resident() const = 0;
   /// MoveToCommonDirectory(S) of figure 2.
   virtual void move_to_common() = 0;
-  /// This rank's part of the coarse system of the iteration, the sum of two parts, and the whole
-  /// one solved.
+  /// This rank's part of the iteration's coarse system, as numbers.
   virtual std::vector<double> coarse() const { return {}; }
+  /// The sum of two parts.
   virtual std::vector<double> merge(std::span<const double> a, std::span<const double>) const {
     return {a.begin(), a.end()};
   }
+  /// The solution of the whole system.
   virtual Correction correct(std::span<const double>) const { return {}; }
-  /// On rank 0, once every rank has moved: makes the last of `history` the committed iteration.
+  /// On rank 0, once every rank has moved its files: makes the last of `history` the committed
+  /// iteration.
   virtual void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
                       bool finished) = 0;
 
-  /// What a rank does now and then in the midst of a gather: answer those that wait for it. One
-  /// large gather on a slow host would else hold up all that have run out of work.
+  /// `listener` answers the ranks that wait for this one. It is called during a gather as well,
+  /// since one large gather on a slow host would otherwise delay every rank that has run out of
+  /// work.
   void set_listener(std::function<void()> listener) { listener_ = std::move(listener); }
 
  protected:
   void listen() const {
     if (listener_) listener_();
   }
-  /// Passes the time that a gather's work takes, and listens in between.
-  void spend(Machine& machine, const WorkCount& work) const;
+  /// Charges a gather's work, and listens in between.
+  void spend(Machine& machine, const WorkCount& work) const {
+    if (listener_) {
+      machine.compute_in_parts(work, listener_);
+    } else {
+      machine.compute(work);
+    }
+  }
 
  private:
   std::function<void()> listener_;

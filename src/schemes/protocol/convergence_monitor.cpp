@@ -21,7 +21,7 @@ Decision ConvergenceMonitor::decide(const IterationPlan& plan, const Token& toke
   const IterationPlan next = plan_next_(history_);
   work_.commit(history_, correction.changes, next.finished);
   if (observer_) observer_(history_.back());
-  return {next.finished ? -1.0 : history_.back().sums.max_change, to_numbers(next),
+  return {next.finished ? -1.0 : history_.back().figures.max_change, to_numbers(next),
           correction.changes};
 }
 

@@ -1,5 +1,5 @@
-// The end of an iteration, on rank 0: what all ranks did is summed up, committed, and followed by a
-// plan.
+// The end of an iteration, on rank 0: the figures of all ranks become a summary, the iteration is
+// committed, and the plan of the next one is made.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,18 @@
 
 namespace enfilade {
 
-/// With the sums of all ranks of an iteration as the last of `history`: sets its error, and says
-/// what follows.
+/// Called with the summary of an iteration as the last of `history`: sets its error, and returns
+/// the plan of the next iteration, or one that is finished.
 using PlanNext = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 
 class ConvergenceMonitor {
  public:
-  /// All must outlive it. `history` holds what came before, and grows here.
+  /// All must outlive it. `history` holds the iterations before this run, and grows by decide().
   ConvergenceMonitor(ClusterWork& work, Machine& machine, bool coarse_correction,
                      std::vector<IterationSummary>& history, const PlanNext& plan_next,
                      const IterationObserver& observer);
-  /// `token`: everybody's numbers, once every rank is idle and has moved its files.
+  /// Ends the iteration of `plan`: solves the coarse system, plans, commits. `token` holds the
+  /// numbers of all ranks, each of which is idle and has moved its files.
   Decision decide(const IterationPlan& plan, const Token& token);
 
  private:

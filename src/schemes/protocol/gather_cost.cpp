@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view mark = "ENFCOST2";
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
-  const FoldedNumbers figures = to_numbers(cost.sums);
+  const FoldedNumbers numbers = to_numbers(cost.figures);
   w.put(cost.cluster);
-  w.put_all(figures.maxima);
-  w.put_all(figures.sums);
+  w.put_all(numbers.maxima);
+  w.put_all(numbers.sums);
   w.put(cost.patches);
   w.put(cost.links);
   w.put_all(cost.coupled);
@@ -29,7 +29,7 @@ GatherCost get_cost(ByteReader& r) {
   cost.cluster = r.get<ClusterId>();
   const auto maxima = r.get_all<double>();
   const auto sums = r.get_all<double>();
-  cost.sums = figures_from(maxima, sums);
+  cost.figures = figures_from(maxima, sums);
   cost.patches = r.get<SectionWeight>();
   cost.links = r.get<SectionWeight>();
   cost.coupled = r.get_all<std::uint32_t>();
@@ -50,7 +50,7 @@ std::vector<std::string> files_of(const fs::path& directory) {
   throw InputError(run_directory, "costs", what, "solve it again, then replay it");
 }
 
-/// Reads all ranks' files of an iteration; `take` reads one cluster's part and says whose it was.
+/// Reads all ranks' files of an iteration; `take` reads one cluster's part and returns its id.
 template <class Take>
 void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
                     IterationMethod& method, Take take) {
@@ -146,7 +146,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
     });
   }
   if (!recording.gathers.empty()) {
-    recording.bands = recording.gathers.front().front().sums.absorbed_power.size();
+    recording.bands = recording.gathers.front().front().figures.absorbed_power.size();
   }
   return recording;
 }

@@ -1,5 +1,5 @@
-// What each gather of a run cost: written while it runs, so that the run can be replayed on other
-// clusters of computers without its kernels.
+// The cost of each gather of a run: recorded while it runs, so that the run can be replayed on
+// other clusters of computers without its kernels (schemes/replay).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace enfilade {
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
-  IterationFigures sums;         ///< what it brought; its work among them
+  IterationFigures figures;      ///< of this gather; its work among them
   SectionWeight patches, links;  ///< as it wrote them
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
@@ -26,25 +26,26 @@ struct GatherCost {
 struct Recording {
   std::vector<ClusterWeight> start;              ///< by cluster, before the first iteration
   std::vector<std::vector<GatherCost>> gathers;  ///< [iteration - 1][cluster]
-  std::vector<IterationSummary> history;         ///< what the iterations came to
+  std::vector<IterationSummary> history;         ///< summaries of the iterations
   std::size_t bands = 1;
   IterationMethod method;
   Basis basis = Basis::linear;
 
-  /// What a cluster's sections weigh once iteration `iteration` is over; 0 = at the start.
+  /// The size of a cluster's sections after iteration `iteration`; 0 = at the start.
   ClusterWeight weight(ClusterId cluster, int iteration) const;
 };
 
-/// Takes down one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
+/// Records one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
   CostRecorder(std::string run_directory, Rank rank, IterationMethod method)
       : directory_(run_directory + "/costs/"), rank_(rank), method_(method) {}
 
-  /// A cluster before the first iteration.
+  /// Records a cluster before the first iteration.
   void add_start(const ClusterState& state);
   void add(GatherCost cost) { gathers_.push_back(std::move(cost)); }
-  /// The iteration's gathers go to their file, all at once; 0 = the clusters at the start.
+  /// Writes the file of an iteration with the gathers added since the last call; 0 = the clusters
+  /// at the start.
   void write(int iteration);
 
  private:
@@ -55,9 +56,9 @@ class CostRecorder {
   std::vector<GatherCost> gathers_;
 };
 
-/// On one rank, before a run begins: takes away what was recorded after `committed`.
+/// On one rank, before a run begins: removes the recordings of iterations after `committed`.
 void drop_costs(const std::string& run_directory, int committed);
-/// Throws InputError where RUN holds no finished run with all its costs.
+/// Throws InputError where RUN holds no finished run with the costs of all its gathers.
 Recording read_recording(const std::string& run_directory, std::size_t clusters);
 
 }  // namespace enfilade

@@ -1,4 +1,5 @@
-// The messages of the parallel algorithm: few, and small (§7).
+// The messages of the parallel schemes, each a struct with its sender and receiver: few, and small
+// (§7).
 #pragma once
 
 #include <cstddef>
@@ -14,72 +15,73 @@
 
 namespace enfilade {
 
-/// Thief to victim: "I am out of work in this iteration, and these clusters are in my memory"
-/// (§3.3.3, figure 4). They go as bits, 64 neighbouring numbers a word: a message of two kilobytes
-/// where a building of 13,000 clusters is in memory.
+/// Thief to victim: the thief is out of work in this iteration, and holds these clusters in its
+/// memory (§3.3.3, figure 4). Cluster numbers are sent as bits, 64 neighbouring numbers a word: a
+/// message of two kilobytes where a building of 13,000 clusters is in memory.
 struct StealRequest {
-  int iteration = 0;  ///< a victim that has not heard yet that it has begun answers when it has
+  int iteration = 0;                ///< a victim that has not begun it yet answers when it does
   std::vector<ClusterId> resident;  ///< ascending
-  RankSet idle;  ///< that have nothing left to give in this iteration, as far as the thief knows
+  RankSet idle;  ///< ranks known to the thief to have nothing left to give in this iteration
 };
 
-/// Victim to thief: the cluster that is now the thief's, or none.
+/// Victim to thief: the cluster that belongs to the thief from now on, or none.
 struct StealReply {
   ClusterId cluster;
-  RankSet idle;  ///< as the victim knows them; word goes round, so that few are asked in vain
+  RankSet idle;  ///< ranks known to the victim to be idle, so that thieves send few vain requests
 };
 
-/// First tour of the ring (§3.3.4), from each rank to its successor once it is idle and has moved
-/// its files. Each rank folds in its own numbers: `maxima` by maximum, `sums` by addition, in the
-/// order of the ranks.
+/// First tour of the ring (§3.3.4): from each rank to its successor once it is idle and has moved
+/// its files. It carries an iteration's figures (FoldedNumbers of gather/iteration_figures.hpp),
+/// into which each rank folds its own: `maxima` by maximum, `sums` by addition, in the order of the
+/// ranks.
 struct Token {
   std::vector<double> maxima;
   std::vector<double> sums;
-  std::vector<double> coarse;  ///< a part of the coarse system, merged as `radiosity` says
+  std::vector<double> coarse;  ///< of the coarse system, added by ClusterWork::merge()
 };
 
-/// Second tour, from rank 0 on: `value` is T_final where another iteration follows, -1 where all is
-/// done; `plan` is what every rank must know about that iteration.
+/// Second tour of the ring, from rank 0 on: `value` is T_final where another iteration follows, -1
+/// where the run ends; `plan` is the IterationPlan of that iteration, as numbers.
 struct Decision {
   double value = -1.0;
   std::vector<double> plan;
-  std::vector<double> correction;  ///< what the coarse system adds to the light; may be empty
+  std::vector<double> correction;  ///< Correction::changes of cluster_work.hpp; may be empty
 };
 
-/// The following are those of the schemes with a master (schemes/master/dealing.hpp), which is rank
-/// 0. There, slaves send their Token to the master and the master its Decision to each slave.
+/// The messages below are those of the schemes with a master, rank 0 (schemes/master/dealing.hpp).
+/// There, each slave sends its Token to the master, and the master its Decision to each slave.
 
-/// What a gather of a slave did, as far as the master needs it to plan by.
+/// Figures of a slave's gather that the master plans by.
 struct GatherNote {
   ClusterId cluster;
   double change_power = 0.0;  ///< sum of area |B(k) - B(k-1)|
-  std::uint64_t links = 0;    ///< that it gathered over: how much work it was
+  std::uint64_t links = 0;    ///< that it gathered over: a measure of its work
 };
 
-/// Slave to master: "I have nothing to do; this is what became of your last order."
+/// Slave to master: the slave is out of work, and reports the gathers of its last order.
 struct WorkRequest {
   std::vector<GatherNote> done;
 };
 
-/// Master to slave, in answer.
+/// Master to slave: the answer to a WorkRequest.
 struct WorkOrder {
-  std::vector<ClusterId> gather;    ///< in this order; none: this iteration has nothing more for it
-  bool hold_each = false;           ///< hold what each receiver sees, one receiver after the other
-  std::vector<ClusterId> hold;      ///< else: hold what all of these see; none: as before
-  std::vector<ClusterId> gathered;  ///< by anybody, not told before: the newest light is to be used
+  std::vector<ClusterId> gather;    ///< in this order; empty: no more work in this iteration
+  bool hold_each = false;           ///< ClusterWork::hold() for each receiver, one after the other
+  std::vector<ClusterId> hold;      ///< else hold() for all of these at once; empty: no hold()
+  std::vector<ClusterId> gathered;  ///< by any slave, since the last order: use their newest light
 };
 
-/// Slave to master: these sections of clusters, please.
+/// Slave to master: a request for sections of clusters.
 struct SectionRequest {
   std::vector<SectionName> sections;
 };
 
-/// Master to slave: those sections, in the order asked for. As long as the clusters are.
+/// Master to slave: the requested sections, in the order of the request. As large as the clusters.
 struct SectionReply {
   std::vector<SectionFile> sections;
 };
 
-/// Slave to master: what a gather made of a cluster: its patches, and its links where they changed.
+/// Slave to master: the sections that a gather has changed: patches, and links where they changed.
 struct ClusterResult {
   std::vector<SectionFile> sections;
 };
@@ -92,7 +94,7 @@ struct Received {
   Message message;
 };
 
-/// Tags of the communicator, one a kind of message.
+/// Tags of the communicator, one for each kind of message, in the order of Message.
 enum class Tag : int {
   steal_request = 1,
   steal_reply,
@@ -107,14 +109,14 @@ enum class Tag : int {
 Tag tag_of(const Message& message);
 
 std::vector<std::byte> encode(const Message& message);
-/// Throws RunError for bytes that are no such message.
+/// Throws RunError for bytes that are not one message of this tag.
 Message decode(Tag tag, std::span<const std::byte> bytes);
 
-/// Maxima by maximum, sums by addition; a shorter list counts as filled up with zeros. Leaves
-/// `coarse`.
+/// Folds `own` into `token`: maxima by maximum, sums by addition; a shorter list counts as filled
+/// up with zeros. Does not touch `coarse`.
 void fold(Token& token, const Token& own);
 
-/// What Communicator does with bytes, with messages.
+/// The operations of Communicator, with messages instead of bytes.
 void send(Communicator& communicator, Rank to, const Message& message);
 std::optional<Received> poll(Communicator& communicator);
 Received receive(Communicator& communicator, Machine& machine);

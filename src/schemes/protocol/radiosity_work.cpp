@@ -5,7 +5,8 @@
 namespace enfilade {
 namespace {
 
-/// Where a row of the coarse system has entries: column + count * aggregate of the receiver.
+/// The places at which a row of the coarse system has entries: column + count * aggregate of the
+/// receiver.
 std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
                                    const CoarseUnknowns& unknowns) {
   std::vector<std::uint32_t> places;
@@ -66,7 +67,7 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
   const GatherResult result = enfilade::gather(
       state, visible,
       [this](ClusterId id) -> const ClusterState& {
-        if (!machine_.simulated()) listen();  // there, time passes only where it is spent
+        if (machine_.time_passes_by_itself()) listen();  // else spend() listens
         return resident_.pin_shooter(id);
       },
       prepared_.scene.lights, occluders_, gather_config_);

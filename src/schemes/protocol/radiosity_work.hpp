@@ -1,4 +1,4 @@
-// The real work: hierarchical radiosity on clusters from the store.
+// The work of a solve: hierarchical radiosity on clusters from the store.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ class RadiosityWork final : public ClusterWork {
   RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
                 Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
 
-  /// Takes in a cluster as it is before the first iteration; its files must be there.
+  /// Keeps a cluster of the state before the first iteration in memory; its files must exist.
   void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
   void set_next_use(ResidentClusters::NextUse next_use) {
     resident_.set_next_use(std::move(next_use));

@@ -1,4 +1,4 @@
-// What every rank did over time, on rank 0.
+// The phases of all ranks over time, collected on rank 0.
 #pragma once
 
 #include <vector>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/peak_memory.hpp"
 #include "scene/equal_bands.hpp"
 #include "solver/energy_conservation.hpp"
 #include "solver/error_estimate.hpp"
@@ -28,7 +27,7 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// The largest |of - less| relative to `of` over the bands.
+/// The largest |of - less| / of, over the bands.
 double largest_share(const Spectrum& of, const Spectrum& less) {
   double worst = 0.0;
   for (std::size_t b = 0; b < std::min(of.size(), less.size()); ++b) {
@@ -60,8 +59,8 @@ void set_figures(RunRecord& record, const IterationFigures& figures, Told told) 
 void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& emitted,
                          const std::vector<IterationSummary>& history, const IterationPlan& last) {
   IterationFigures all;
-  for (const IterationSummary& summary : history) add(all, summary.sums);
-  const IterationFigures end = history.empty() ? IterationFigures{} : history.back().sums;
+  for (const IterationSummary& summary : history) add(all, summary.figures);
+  const IterationFigures end = history.empty() ? IterationFigures{} : history.back().figures;
   set_figures(record, end, Told::last);
   record.set("iterations", history.size());
   record.set("converged", RunRecord::Value(last.converged));
@@ -75,7 +74,8 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
   record.set("estimated_iteration_error", RunRecord::Value(error.iteration));
   record.set("estimated_patch_error", RunRecord::Value(error.patches));
   record.set("iteration_error_bound", RunRecord::Value(error.iteration_bound));
-  // Emitted less absorbed: zero in a closed scene. And what of that the rays saw go.
+  // flux_balance: emitted less absorbed power, zero in a closed scene. escaping_share: power that
+  // the openness rays see escape. Both relative to the emitted power.
   record.set("flux_balance", RunRecord::Value(largest_share(emitted, end.absorbed_power)));
   Spectrum stays = emitted;
   for (std::size_t b = 0; b < std::min(stays.size(), end.escaping_power.size()); ++b) {
@@ -92,8 +92,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
                             const RankStatistics& own, Communicator& communicator,
                             const Machine& machine) {
   const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
-  // Simulated ranks share one process: what each would need is what its clusters take.
-  const std::uint64_t peak = machine.simulated() ? own.residency.peak_bytes : peak_rss_bytes();
+  const std::uint64_t peak = machine.peak_memory_bytes(own.residency.peak_bytes);
   const std::vector<double> mine = {own.time.compute_s,
                                     own.time.io_s,
                                     own.time.idle_s,
@@ -124,7 +123,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   record.set("heap_extent_bytes", std::llround(largest(column(ranks, 11))));
   record.set("swapped_bytes", sum(column(ranks, 12)));
   record.set("prepare_s", RunRecord::Value(prepared.prepare_s));
-  if (machine.simulated()) record.set("simulated_s", RunRecord::Value(largest(column(ranks, 10))));
+  machine.describe(record, largest(column(ranks, 10)));
   record.set("compute_s", RunRecord::Value(column(ranks, 0)));
   record.set("io_s", RunRecord::Value(column(ranks, 1)));
   record.set("idle_s", RunRecord::Value(column(ranks, 2)));

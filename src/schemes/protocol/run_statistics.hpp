@@ -1,4 +1,4 @@
-// RUN/stats.json of the contract: what all ranks did, put together on rank 0.
+// RUN/stats.json: the counts of all ranks, put together on rank 0.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace enfilade {
 
-/// What one rank did in a solve.
+/// One rank's counts of a solve.
 struct RankStatistics {
   TimeUse time;
-  double span_s = 0.0;  ///< of the machine's clock, from the first iteration's begin to the end
+  double span_s = 0.0;  ///< by Machine::now_s(), from the begin of the first iteration to the end
   StoreCount store;
   ResidencyCount residency;
   MessageCount sent;

@@ -30,7 +30,7 @@ ReplayShared load(const std::string& recorded) {
   return shared;
 }
 
-/// OVG's costs, made once for each size of memory.
+/// OVG's costs, by the size of a rank's memory.
 using Costs = std::map<std::uint64_t, VisibilityCost>;
 Costs costs_of(const Prepared& prepared, Basis basis,
                const std::vector<std::vector<double>>& memories) {
@@ -47,21 +47,20 @@ Costs costs_of(const Prepared& prepared, Basis basis,
 RunRecord replay(const std::string& recorded, const SolveConfig& config, Communicator& communicator,
                  Machine& machine, const IterationObserver& observer) {
   communicator.on_root([&] {
-    if (machine.simulated()) return;
+    if (!machine.time_passes_by_itself()) return;
     throw InputError("command line", "--replay",
                      "the recorded work takes no time on a real machine",
                      "run enfilade-smpi under smpirun");
   });
-  const auto shared =
-      share<ReplayShared>(communicator, machine, [&recorded] { return load(recorded); });
+  const auto shared = share<ReplayShared>(communicator, [&recorded] { return load(recorded); });
   const Prepared& prepared = shared->prepared;
   const Recording& recording = shared->recording;
   const std::uint64_t memory =
       config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::vector<double> mine{static_cast<double>(memory)};
   const auto memories = communicator.gather(mine);
-  const auto costs = share<Costs>(communicator, machine,
-                                  [&] { return costs_of(prepared, recording.basis, memories); });
+  const auto costs =
+      share<Costs>(communicator, [&] { return costs_of(prepared, recording.basis, memories); });
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());

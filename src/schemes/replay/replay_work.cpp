@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-/// Gives the recorded weights out as if they were the sections' bytes.
+/// Sections with the recorded sizes in place of their bytes.
 class RecordShelf final : public SectionShelf {
  public:
   explicit RecordShelf(const Recording& recording) : recording_(recording) {}
@@ -78,7 +78,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   for (const ClusterId id : visible) {
     if (id != receiver) resident_.pin_shooter(id);
   }
-  spend(machine_, cost.sums.work);
+  spend(machine_, cost.figures.work);
   state.become(cost.patches, cost.links);
   if (shared_->recording.method.coarse_correction) {
     const CoarseUnknowns& unknowns = shared_->unknowns;
@@ -89,7 +89,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   }
   resident_.write_receiver(receiver);
   resident_.unpin();
-  return cost.sums;
+  return cost.figures;
 }
 
 std::vector<double> ReplayWork::merge(std::span<const double> a, std::span<const double> b) const {
@@ -102,16 +102,16 @@ Correction ReplayWork::correct(std::span<const double>) const {
   const Recording& recording = shared_->recording;
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
   const IterationSummary& summary = recording.history[iteration];
-  // What was recorded of the iteration is after its correction, what was of its gathers before it.
+  // The figures recorded of the iteration include its correction; those of its gathers do not.
   IterationFigures gathered;
-  for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.sums);
+  for (const GatherCost& cost : recording.gathers[iteration]) add(gathered, cost.figures);
   const auto brought = [](Spectrum after, const Spectrum& before) {
     for (std::size_t b = 0; b < std::min(after.size(), before.size()); ++b) after[b] -= before[b];
     return after;
   };
   return {std::vector<double>(shared_->unknowns.count * recording.bands, 0.0),
-          summary.missing_power, brought(summary.sums.absorbed_power, gathered.absorbed_power),
-          brought(summary.sums.escaping_power, gathered.escaping_power)};
+          summary.missing_power, brought(summary.figures.absorbed_power, gathered.absorbed_power),
+          brought(summary.figures.escaping_power, gathered.escaping_power)};
 }
 
 void ReplayWork::commit(const std::vector<IterationSummary>&, std::span<const double>, bool) {

@@ -1,5 +1,5 @@
-// A recorded run's gathers in place of the kernels: the same store, memory, stealing and token
-// ring, priced by the machine, at a small part of the real time.
+// Recorded gathers in place of the kernels: the same store, memory, stealing and token ring, priced
+// by the machine, in a small part of the real time.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace enfilade {
 
-/// What all ranks of a replay read, and none changes.
+/// Data that all ranks of a replay read and none changes.
 struct ReplayShared {
   Prepared prepared;
   Recording recording;
@@ -29,7 +29,7 @@ class ReplayWork final : public ClusterWork {
   ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout, Rank rank,
              Machine& machine, std::uint64_t memory_bytes, MemoryManager manager);
 
-  /// As RadiosityWork::initialise().
+  /// Keeps the assigned clusters in memory, as they were before the first iteration.
   void initialise(std::span<const ClusterId> own);
   void set_next_use(std::function<std::uint64_t(ClusterId, bool)> next_use) {
     resident_.set_next_use(std::move(next_use));
@@ -41,7 +41,7 @@ class ReplayWork final : public ClusterWork {
   void move_to_common() override { store_.move_to_common(); }
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
-  /// Of the recorded size and sums, and of no effect on patches.
+  /// A correction of the recorded size and figures, without effect on patches.
   Correction correct(std::span<const double> coarse) const override;
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;

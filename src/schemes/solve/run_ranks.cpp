@@ -9,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-/// Bytes of a cluster as it comes from the disk for the first time, near enough to order a tour by.
+/// Bytes of each cluster as first read from the disk: an estimate, exact enough to order a tour by.
 std::vector<std::uint64_t> expected_bytes(const Prepared& prepared, Basis basis) {
   std::vector<std::uint64_t> bytes;
   const auto values =

@@ -1,5 +1,5 @@
-// What solving and replaying have in common: who owns what, what a tour costs, and the record of
-// the run.
+// The common parts of solving and replaying: the assignment of clusters to ranks, the costs of a
+// tour, and the record of the run.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,21 @@
 
 namespace enfilade {
 
-/// The rank that each cluster belongs to: decided on rank 0, the same everywhere. All ranks call.
+/// The rank that each cluster is assigned to: computed on rank 0, the same on every rank. All ranks
+/// call it.
 std::vector<Rank> agree_on_owners(const Prepared& prepared, const SolveConfig& config,
                                   Communicator& communicator);
 std::vector<ClusterId> clusters_of(std::span<const Rank> owners, Rank rank);
 
-/// OVG's costs before anything was refined; `memory_bytes` 0 = no limit.
+/// OVG's costs, by the size of the clusters before refinement; `memory_bytes` 0 = no limit.
 VisibilityCost tour_cost(const Prepared& prepared, Basis basis, std::uint64_t memory_bytes);
 
-/// One object for all ranks where they share an address space (simulated ones do), else one a rank.
-/// All ranks call; where `make` throws on rank 0, all leave as from on_root().
+/// One object for all ranks where they share an address space, else one for each rank.
+/// All ranks call it. Where `make` throws on rank 0, all ranks throw as from
+/// Communicator::on_root().
 template <class T, class Make>
-std::shared_ptr<const T> share(Communicator& communicator, const Machine& machine, Make make) {
-  if (!machine.simulated()) return std::make_shared<const T>(make());
+std::shared_ptr<const T> share(Communicator& communicator, Make make) {
+  if (!ranks_share_a_process()) return std::make_shared<const T>(make());
   std::shared_ptr<const T> object;
   communicator.on_root([&] { object = std::make_shared<const T>(make()); });
   const std::shared_ptr<const T>* first = &object;
@@ -37,7 +39,7 @@ std::shared_ptr<const T> share(Communicator& communicator, const Machine& machin
   return object;
 }
 
-/// What each cluster emits, in its brightest band; the scene's point lights are on none.
+/// Emitted power of each cluster, in the band with the highest; point lights belong to no cluster.
 std::vector<double> emitted_powers(const Prepared& prepared);
 
 /// The run that is about to start.
@@ -45,10 +47,10 @@ struct RankRun {
   const Prepared& prepared;
   Basis basis = Basis::linear;
   Spectrum emitted;                                               ///< power, per band
-  std::vector<IterationSummary> history;                          ///< what came before, on rank 0
+  std::vector<IterationSummary> history;                          ///< iterations before, on rank 0
   std::function<std::pair<StoreCount, ResidencyCount>()> counts;  ///< of this rank, at the end
 };
-/// All iterations; appends to the history, on rank 0. Returns the plan that ended them.
+/// Runs all iterations and appends to the history on rank 0. Returns the plan that ended the run.
 using IterationRun = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 
 /// All ranks call it. The record of RUN/stats.json, on rank 0; elsewhere empty.

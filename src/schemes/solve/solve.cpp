@@ -6,12 +6,9 @@
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 #include "run/history.hpp"
-#include "schemes/master/cell_dealer.hpp"
-#include "schemes/master/dealing.hpp"
-#include "schemes/master/group_dealer.hpp"
 #include "schemes/protocol/radiosity_work.hpp"
+#include "schemes/solve/make_scheme.hpp"
 #include "schemes/solve/run_ranks.hpp"
-#include "schemes/spmd/spmd.hpp"
 #include "solver/energy_conservation.hpp"
 #include "solver/error_estimate.hpp"
 
@@ -26,7 +23,7 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
                                            const RunLayout& layout) {
   if (!config.resume) return std::nullopt;
   const std::optional<Manifest> manifest = read_manifest(layout);
-  if (!manifest) return std::nullopt;  // died before anything was committed: begin at the beginning
+  if (!manifest) return std::nullopt;  // killed before the first commit: begin anew
   if (manifest->clusters != prepared.clusters.size() ||
       manifest->scene_hash != prepared.scene.hash) {
     throw InputError(config.run_directory, "--resume", "the solution there is of another scene",
@@ -35,75 +32,29 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   return manifest;
 }
 
-/// RUN/common as it is before the first iteration; each rank makes its own clusters' files, and
-/// keeps them in memory where it is going to gather for them.
-void start_anew(const Prepared& prepared, Basis basis, ClusterStore& store,
-                Communicator& communicator, RadiosityWork& work, CostRecorder& recorder,
-                std::span<const ClusterId> own, Machine& machine, bool keep) {
-  communicator.on_root([&] {
-    make_directory(store.layout().common());
-    remove_manifest(store.layout());
-    drop_costs(store.layout().run, -1);
+/// Writes RUN/common as it is before the first iteration. Each rank makes the files of the clusters
+/// that it is assigned, and keeps those clusters in memory where it is going to gather for them.
+void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
+                RadiosityWork& work, CostRecorder& recorder) {
+  const Prepared& prepared = p.prepared;
+  p.communicator.on_root([&] {
+    make_directory(p.store.layout().common());
+    remove_manifest(p.store.layout());
+    drop_costs(p.store.layout().run, -1);
   });
   WorkCount count;
   const InitialClusters initial(prepared.scene, prepared.clusters, work.occluders(),
                                 work.unknowns(), basis, count);
-  machine.compute(count);
-  for (const ClusterId id : own) {
+  p.machine.compute(count);
+  for (const ClusterId id : p.own) {
     ClusterState state = initial.make(id);
-    store.write_initial(state);
+    p.store.write_initial(state);
     recorder.add_start(state);
-    if (keep) work.adopt(std::move(state));
+    if (scheme.gathers_for_its_own()) work.adopt(std::move(state));
   }
   recorder.write(0);
-  communicator.barrier();
-  communicator.on_root([&] { work.commit({}, {}, false); });
-}
-
-/// All that the loop of a scheme runs on.
-struct Solver {
-  const SolveConfig& config;
-  const Prepared& prepared;
-  Communicator& communicator;
-  Machine& machine;
-  const VisibilityCost& cost;
-  ClusterStore& store;
-  RemoteFiles& remote;
-  RadiosityWork& work;
-
-  std::unique_ptr<Order> order() const {
-    return make_order(config.order, config.seed, prepared.graph, emitted_powers(prepared));
-  }
-  int slaves() const { return communicator.size() - 1; }
-  std::unique_ptr<Dealer> dealer() const {
-    if (config.scheme == Scheme::master_slave)
-      return std::make_unique<GroupDealer>(prepared, slaves(), *order(), cost, config.steal);
-    return std::make_unique<CellDealer>(prepared, slaves(), emitted_powers(prepared), config.seed,
-                                        config.steal);
-  }
-};
-
-/// A rank that is alone has nobody to be the master of.
-bool has_master(const SolveConfig& config, const Communicator& communicator) {
-  return config.scheme != Scheme::spmd && communicator.size() > 1;
-}
-
-IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const IterationPlan& plan,
-                      const std::vector<double>& changes, std::vector<IterationSummary>& history,
-                      const PlanNext& plan_next, const IterationObserver& observer) {
-  const bool correction = s.config.coarse_correction;
-  if (!has_master(s.config, s.communicator)) {
-    TaskList tasks({own.begin(), own.end()}, s.cost, s.order());
-    s.work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
-    return run_spmd(s.work, tasks, s.communicator, s.machine, {s.config.steal, correction}, plan,
-                    changes, history, plan_next, observer);
-  }
-  if (!s.communicator.root())
-    return run_slave(s.work, s.remote, s.communicator, s.machine, correction, plan, changes);
-  ConvergenceMonitor monitor(s.work, s.machine, correction, history, plan_next, observer);
-  const std::unique_ptr<Dealer> dealer = s.dealer();
-  return Master(s.work, s.store, *dealer, s.communicator, s.machine, monitor, correction)
-      .run(plan, changes);
+  p.communicator.barrier();
+  p.communicator.on_root([&] { work.commit({}, {}, false); });
 }
 
 }  // namespace
@@ -121,18 +72,18 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::optional<Manifest> manifest = manifest_to_resume(config, prepared, layout);
   const Basis basis =
-      manifest ? manifest->basis : config.basis;  // a solution keeps the basis it has
+      manifest ? manifest->basis : config.basis;  // a resumed solution keeps its basis
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   const VisibilityCost cost = tour_cost(prepared, basis, memory);
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
-  RemoteFiles remote(communicator, machine);
-  const bool slave = has_master(config, communicator) && !communicator.root();
+  const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
+  const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
   const IterationMethod method{config.coarse_correction, config.jacobi};
   CostRecorder recorder(layout.run, communicator.rank(), method);
   RadiosityWork work(
-      prepared, layout, slave ? static_cast<ClusterFiles&>(remote) : store, machine, recorder,
+      prepared, layout, scheme->files(), machine, recorder,
       {{basis, config.max_depth, config.min_area_m2, config.oracle, config.visibility},
        method,
        memory,
@@ -140,8 +91,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
-    start_anew(prepared, basis, store, communicator, work, recorder, own, machine,
-               !has_master(config, communicator));
+    start_anew(parts, *scheme, basis, work, recorder);
   }
 
   const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
@@ -155,9 +105,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   std::vector<IterationSummary> history = history_of(manifest);
   const IterationPlan plan = next_plan(history, plan_config);
   const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
-    return iterate(
-        {config, prepared, communicator, machine, cost, store, remote, work}, own, plan,
-        manifest ? manifest->correction : std::vector<double>{}, so_far,
+    return scheme->run(
+        work, plan, manifest ? manifest->correction : std::vector<double>{}, so_far,
         [&](std::vector<IterationSummary>& done) { return end_iteration(done, plan_config); },
         observer);
   };

@@ -1,4 +1,5 @@
-// The solve, from a prepared RUN to its solution: assignment, CYCLE, and the SPMD loop of figure 2.
+// The solve, from a prepared RUN to its solution: assignment, the state before the first iteration,
+// and the iterations of the chosen scheme (figure 2).
 #pragma once
 
 #include <cstdint>
@@ -26,14 +27,15 @@ struct SolveConfig {
   double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
-  /// With more links than this, what is read off patches is not held to target_error; 0 = never
+  /// With more links than this, target_error does not apply to values read off patches; 0 = no
+  /// limit
   std::uint64_t patch_links = 500000;
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
   MemoryManager memory_manager = MemoryManager::own;
   std::uint64_t seed = 1;
   Scheme scheme = Scheme::spmd;
-  AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< spmd's
+  AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< of Scheme::spmd
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
@@ -47,12 +49,13 @@ struct SolveConfig {
 };
 
 /// All ranks call it with the same arguments; rank 0 calls `observer` after every committed
-/// iteration. The record of RUN/stats.json (on rank 0; elsewhere
-/// empty). RUN/ then holds the solution: read_solution() of run/solution.hpp reads it.
+/// iteration. Returns the record of RUN/stats.json on rank 0, elsewhere an empty one. RUN then
+/// holds the solution, which read_solution() of run/solution.hpp reads. Throws InputError where
+/// config.resume finds the solution of another scene.
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 
-/// owner[i] = the rank that cluster i is assigned to at the start (before anything is stolen).
+/// owner[i] = the rank that cluster i is assigned to before the first iteration.
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
 
 }  // namespace enfilade

@@ -1,4 +1,5 @@
-// When a rank will use each cluster again: what its CYCLE tells the memory (Belady's rule).
+// When a rank will use each cluster again, by its CYCLE: the memory evicts by Belady's rule (L.
+// Belady, 1966), the cluster first whose next use is farthest.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +15,14 @@ class NextUses {
   /// `graph` must outlive it.
   explicit NextUses(const ClusterGraph& graph) : graph_(&graph) {}
 
-  /// A new round of these receivers, in this order.
+  /// Begins a round of these receivers, in this order.
   void start(std::span<const ClusterId> turns);
-  /// Its turn is taken; it comes again in the next round.
+  /// This receiver has been gathered for; its turn comes again in the next round.
   void done(ClusterId receiver);
-  /// It is another rank's from now on.
+  /// This receiver belongs to another rank from now on.
   void gave(ClusterId receiver);
-  /// Turns from now until a cluster (or its links) is used, going round; what nobody here uses
-  /// comes after all others.
+  /// Turns from now until a cluster (or its links) is used, into the next round if need be; a
+  /// cluster that this rank does not use comes after all others.
   std::uint64_t of(ClusterId cluster, bool links);
 
  private:
@@ -36,8 +37,8 @@ class NextUses {
   std::vector<Turn> state_;           ///< of each turn
   std::vector<std::uint32_t> place_;  ///< of each cluster among the turns
   std::uint64_t past_ = 0;            ///< turns done
-  // Made when somebody asks; the turns that use cluster c, ascending: uses_[first_[c]] to
-  // uses_[first_[c + 1] - 1], of which those before next_[c] do not wait.
+  // Made at the first call of of() in a round. The turns that use cluster c, ascending, are
+  // uses_[first_[c]] to uses_[first_[c + 1] - 1]; of these, the ones before next_[c] do not wait.
   std::vector<std::uint32_t> uses_, first_, next_;
 };
 

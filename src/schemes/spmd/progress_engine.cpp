@@ -12,14 +12,14 @@ void ProgressEngine::start(int iteration) {
   for (const Early& e : early) reply(e.from, e.request);
 }
 
-void ProgressEngine::look() {
-  looked_s_ = machine_.now_s();
+void ProgressEngine::progress() {
+  polled_s_ = machine_.now_s();
   while (auto received = poll(communicator_)) take(std::move(*received));
 }
 
-void ProgressEngine::look_again() {
-  constexpr double may_wait_s = 0.005;
-  if (machine_.now_s() - looked_s_ > may_wait_s) look();
+void ProgressEngine::progress_if_due() {
+  constexpr double may_wait_s = 0.005;  // small beside a gather, and many polls long
+  if (machine_.now_s() - polled_s_ > may_wait_s) progress();
 }
 
 void ProgressEngine::take(Received received) {
@@ -27,11 +27,11 @@ void ProgressEngine::take(Received received) {
     reply(received.from, *request);
   } else if (auto* answer = std::get_if<StealReply>(&received.message)) {
     idle_.add(answer->idle);
-    std::get<std::deque<StealReply>>(shelves_).push_back(*answer);
+    std::get<std::deque<StealReply>>(kept_).push_back(*answer);
   } else if (auto* token = std::get_if<Token>(&received.message)) {
-    std::get<std::deque<Token>>(shelves_).push_back(std::move(*token));
+    std::get<std::deque<Token>>(kept_).push_back(std::move(*token));
   } else if (auto* decision = std::get_if<Decision>(&received.message)) {
-    std::get<std::deque<Decision>>(shelves_).push_back(std::move(*decision));
+    std::get<std::deque<Decision>>(kept_).push_back(std::move(*decision));
   } else {
     throw RunError("a message of a scheme with a master came to a rank that has none");
   }
@@ -39,7 +39,7 @@ void ProgressEngine::take(Received received) {
 
 void ProgressEngine::reply(Rank thief, const StealRequest& request) {
   if (request.iteration >
-      iteration_) {  // the decision is still on its way round the ring to this rank
+      iteration_) {  // the decision has not come round the ring to this rank yet
     early_.push_back({thief, request});
     return;
   }

@@ -1,5 +1,5 @@
-// A rank's side of all conversations: requests for work are answered whatever it is waiting for
-// (figure 5).
+// The progress engine of a rank: answers steal requests whatever the rank is waiting for (figure
+// 5), and keeps messages of other kinds until they are waited for.
 #pragma once
 
 #include <deque>
@@ -18,23 +18,23 @@ class ProgressEngine {
   ProgressEngine(Communicator& communicator, Machine& machine, TaskList& tasks)
       : communicator_(communicator), machine_(machine), tasks_(tasks) {}
 
-  /// This rank has begun the iteration: requests that came early are answered now.
+  /// This rank has begun the iteration: answers the requests of ranks that began it earlier.
   void start(int iteration);
-  /// Answers what has arrived; called between two receiving clusters.
-  void look();
-  /// The same between two shooters, but no sooner than a thief may well wait: looking costs time.
-  void look_again();
-  /// The ranks that have no cluster left to give in this iteration, as far as this one has heard:
-  /// no work comes to them any more.
+  /// Handles the messages that have arrived; called between two receiving clusters.
+  void progress();
+  /// The same, between two shooters, unless the last poll was a moment ago: polling costs time.
+  void progress_if_due();
+  /// The ranks known to this one to have no cluster left to give in this iteration; they get no
+  /// more work in it.
   const RankSet& idle();
-  /// WaitForReply of figure 5, for any kind of message: answers requests until one of kind T is
-  /// there.
+  /// WaitForReply of figure 5, for any kind of message: handles messages until one of kind T has
+  /// arrived, and returns it.
   template <class T>
   T wait_for() {
-    auto& shelf = std::get<std::deque<T>>(shelves_);
-    while (shelf.empty()) take(receive(communicator_, machine_));
-    T message = std::move(shelf.front());
-    shelf.pop_front();
+    auto& kept = std::get<std::deque<T>>(kept_);
+    while (kept.empty()) take(receive(communicator_, machine_));
+    T message = std::move(kept.front());
+    kept.pop_front();
     return message;
   }
 
@@ -43,6 +43,7 @@ class ProgressEngine {
     Rank from;
     StealRequest request;
   };
+  /// Answers a steal request; keeps any other message.
   void take(Received received);
   /// ReplyToRequest of §3.3.3.
   void reply(Rank thief, const StealRequest& request);
@@ -51,10 +52,10 @@ class ProgressEngine {
   Machine& machine_;
   TaskList& tasks_;
   int iteration_ = 0;
-  double looked_s_ = 0.0;
+  double polled_s_ = 0.0;
   RankSet idle_;
-  std::deque<Early> early_;
-  std::tuple<std::deque<StealReply>, std::deque<Token>, std::deque<Decision>> shelves_;
+  std::deque<Early> early_;  ///< requests of an iteration that this rank has not begun
+  std::tuple<std::deque<StealReply>, std::deque<Token>, std::deque<Decision>> kept_;
 };
 
 }  // namespace enfilade

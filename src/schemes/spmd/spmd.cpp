@@ -6,15 +6,15 @@
 namespace enfilade {
 namespace {
 
-/// Gathers for this rank's clusters, then for others' as long as there are any.
+/// Gathers for this rank's clusters, then for stolen ones until no rank has any left.
 IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& engine,
                             WorkStealingClient& thief, bool steal) {
-  IterationFigures sums;
+  IterationFigures figures;
   const auto gather = [&](ClusterId cluster) {
     const IterationFigures part = work.gather(cluster);
     tasks.gathered(cluster, part.change_power);
-    add(sums, part);
-    engine.look();
+    add(figures, part);
+    engine.progress();
   };
   while (const auto cluster = tasks.next()) gather(*cluster);
   while (steal) {
@@ -23,9 +23,9 @@ IterationFigures gather_all(ClusterWork& work, TaskList& tasks, ProgressEngine& 
     tasks.adopt(*cluster);
     gather(*cluster);
   }
-  sums.steals = thief.steals();
-  sums.steal_requests = thief.requests();
-  return sums;
+  figures.steals = thief.steals();
+  figures.steal_requests = thief.requests();
+  return figures;
 }
 
 }  // namespace
@@ -42,15 +42,15 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     add_token(work, token, own, config.coarse_correction);
   };
 
-  if (communicator.size() > 1) work.set_listener([&engine] { engine.look_again(); });
+  if (communicator.size() > 1) work.set_listener([&engine] { engine.progress_if_due(); });
   while (!plan.finished) {
     work.begin(plan, changes);
     tasks.start();
     thief.start(plan.iteration);
     engine.start(plan.iteration);
-    const IterationFigures sums = gather_all(work, tasks, engine, thief, config.steal);
+    const IterationFigures figures = gather_all(work, tasks, engine, thief, config.steal);
     work.move_to_common();
-    const Token own = own_token(work, sums, config.coarse_correction);
+    const Token own = own_token(work, figures, config.coarse_correction);
     Decision decision = go_round(communicator, machine, engine, own, decide, add_own);
     plan = plan_from(decision.plan);
     changes = std::move(decision.correction);

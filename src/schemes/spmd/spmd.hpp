@@ -14,12 +14,12 @@ struct SpmdConfig {
   bool coarse_correction = true;  ///< false: the paper's iteration as it is
 };
 
-/// Runs iterations from `plan` on until one is the last. `offsets` corrects the light that it
-/// starts from (a resumed run; else empty). `history` holds what came before (on rank 0; empty for
-/// a new run) and grows there. Returns the plan that ended the run, on every rank.
+/// Runs iterations from `plan` on until one is the last. `changes` corrects the light of the
+/// committed iteration (a resumed run; else empty). `history` holds the iterations before on rank 0
+/// (empty for a new run), and grows there. Returns the plan that ended the run, on every rank.
 IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communicator,
                        Machine& machine, const SpmdConfig& config, IterationPlan plan,
-                       std::vector<double> offsets, std::vector<IterationSummary>& history,
+                       std::vector<double> changes, std::vector<IterationSummary>& history,
                        const PlanNext& plan_next, const IterationObserver& observer = {});
 
 }  // namespace enfilade

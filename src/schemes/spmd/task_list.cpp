@@ -11,7 +11,7 @@ TaskList::TaskList(std::vector<ClusterId> own, const VisibilityCost& cost,
       order_(std::move(order)),
       cycle_(order_->arrange(std::move(own), cost), cost),
       turns_(cycle_.order()),
-      done_(turns_.size()),  // nothing to do before the first start()
+      done_(turns_.size()),  // nothing waits before the first start()
       uses_(cost.graph()) {
   uses_.start(turns_);
 }
@@ -21,7 +21,7 @@ void TaskList::insert(ClusterId cluster, std::vector<ClusterId>& order) const {
   const auto beside = [&](ClusterId other) {
     return graph.has_edge(cluster.index(), other.index());
   };
-  // Beside what it sees, where there is such; it would share little with the others.
+  // Beside a cluster that it sees, if there is one: with others it shares few visible clusters.
   const bool anywhere = std::none_of(order.begin(), order.end(), beside);
   std::size_t best = 0;
   auto least = std::numeric_limits<std::int64_t>::max();

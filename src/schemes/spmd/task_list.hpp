@@ -1,5 +1,5 @@
-// A rank's receiving clusters: its CYCLE, gone through once an iteration, given from and added to
-// (§3.3.3).
+// A rank's receiving clusters: its CYCLE, gone through once in each iteration. Stolen clusters
+// leave the victim's CYCLE and are inserted into the thief's (§3.3.3).
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,26 @@ class TaskList {
   /// `cost` must outlive the list.
   TaskList(std::vector<ClusterId> own, const VisibilityCost& cost, std::unique_ptr<Order> order);
 
-  /// A new iteration: CYCLE from its start, with what was adopted in the last one put where it
-  /// costs least.
+  /// Begins an iteration at the start of CYCLE; clusters adopted in the last one are inserted where
+  /// they cost least.
   void start();
   /// The next receiving cluster; none when all have had their turn.
   std::optional<ClusterId> next();
-  /// For a thief with these clusters in its memory: takes the waiting cluster that costs it least
-  /// to load out of CYCLE. Of equals the last in CYCLE, which is farthest from what this rank works
-  /// on.
+  /// Gives a waiting cluster to a thief with these clusters in its memory: the one whose visible
+  /// clusters cost the thief least to load, of equals the last in CYCLE, which is farthest from the
+  /// cluster that this rank works on.
   std::optional<ClusterId> give(std::span<const ClusterId> resident);
   /// S = S + C of figure 2: a stolen cluster is this rank's from now on.
   void adopt(ClusterId cluster) { adopted_.push_back(cluster); }
-  /// What a gather of this rank did to the receiver's light; the order may look at it.
+  /// Reports a gather of this rank and the power by which it changed the receiver's light; some
+  /// orders use it.
   void gathered(ClusterId receiver, double change_power) {
     order_->gathered(receiver, change_power);
   }
 
   std::size_t waiting() const { return turns_.size() - done_; }
   const Cycle& cycle() const { return cycle_; }
-  /// Turns from now until a cluster (or its links) is used again, going round CYCLE.
+  /// Turns from now until a cluster (or its links) is used again (NextUses::of).
   std::uint64_t next_use(ClusterId cluster, bool links) { return uses_.of(cluster, links); }
 
  private:
@@ -46,7 +47,7 @@ class TaskList {
   const VisibilityCost* cost_;
   std::unique_ptr<Order> order_;
   Cycle cycle_;
-  std::vector<ClusterId> turns_;  ///< of this iteration: CYCLE, or what the order made of it so far
+  std::vector<ClusterId> turns_;  ///< of this iteration: CYCLE, or its permutation by the order
   std::vector<ClusterId> adopted_;
   std::size_t done_ = 0;
   NextUses uses_;

@@ -1,4 +1,5 @@
-// RequestForCluster of figure 4: a rank that has run out of work asks the others, one by one.
+// RequestForCluster of figure 4: a rank that has run out of work requests a cluster from the other
+// ranks, one by one.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,10 @@ class WorkStealingClient {
  public:
   WorkStealingClient(Communicator& communicator, Machine& machine, ProgressEngine& engine);
   void start(int iteration);
-  /// A cluster that is this rank's from now on; none when nobody has one left in this iteration.
-  /// Starts with the successor and not with rank 0, so that the first rank is not everybody's first
-  /// victim; goes on with the last victim that gave; and asks nobody of whom it has heard that they
-  /// have nothing left, from them or from others.
+  /// Returns a cluster that belongs to this rank from now on; none when no rank has one left in
+  /// this iteration. The first victim is the successor and not rank 0, so that no rank is the first
+  /// victim of all; then the last victim that gave one. Ranks known to be idle, by their own
+  /// messages or by those of others, are left out.
   std::optional<ClusterId> request(std::span<const ClusterId> resident);
 
   std::uint64_t steals() const { return steals_; }
@@ -27,7 +28,7 @@ class WorkStealingClient {
   Machine& machine_;
   ProgressEngine& engine_;
   int iteration_ = 0;
-  int victim_ = 1;                           ///< the next one to ask: so many ranks after this one
+  int victim_ = 1;                           ///< next victim, in ranks after this one
   std::uint64_t steals_ = 0, requests_ = 0;  ///< in this iteration
 };
 

@@ -9,11 +9,11 @@ namespace {
 IterationSummary still(double absorbed) {
   IterationSummary s;
   s.plan.close_rows = true;
-  s.sums.absorbed_power = {absorbed};
-  s.sums.escaping_power = s.sums.direct_power = {0.0};
-  s.sums.uncertain_power = {4.0};
-  s.sums.arriving_power = {100.0};
-  s.sums.received_power = 100.0;
+  s.figures.absorbed_power = {absorbed};
+  s.figures.escaping_power = s.figures.direct_power = {0.0};
+  s.figures.uncertain_power = {4.0};
+  s.figures.arriving_power = {100.0};
+  s.figures.received_power = 100.0;
   return s;
 }
 const Spectrum surfaces{50.0};
@@ -34,7 +34,7 @@ TEST(LightBalance, NoMoreIsMendedThanIsInDoubt) {
 
 TEST(LightBalance, LightThatLeavesOrStillMovesIsNotLost) {
   IterationSummary open = still(49.0);
-  open.sums.escaping_power = {2.0};
+  open.figures.escaping_power = {2.0};
   EXPECT_EQ(flux_correction(open, surfaces, 1e-3), Spectrum{});
   IterationSummary moving = still(49.0);
   moving.error.iteration = 0.01;
@@ -51,8 +51,8 @@ TEST(LightBalance, PointLightsBringInWhatArrivesOfTheirs) {
   const Spectrum emitted{50.0 + 12.566370614359172};
   EXPECT_NEAR(surfaces_power(scene, emitted).front(), 50.0, 1e-12);
   IterationSummary lit = still(60.0);
-  lit.sums.direct_power = {10.0};
-  EXPECT_NEAR(unbalanced_share(lit.sums, surfaces, 0), 0.0, 1e-12);
+  lit.figures.direct_power = {10.0};
+  EXPECT_NEAR(unbalanced_share(lit.figures, surfaces, 0), 0.0, 1e-12);
 }
 
 }  // namespace

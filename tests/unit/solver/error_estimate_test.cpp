@@ -10,12 +10,12 @@ namespace {
 /// Light 100 in one band, `reflected` of it by reflection.
 IterationSummary summary(double change, double reflected = 50.0) {
   IterationSummary s;
-  s.sums.change_power = change;
-  s.sums.received_power = 100.0;
-  s.sums.arriving_power = {100.0};
-  s.sums.returning_power = {reflected};
-  s.sums.absorbed_power = {50.0};
-  s.sums.escaping_power = s.sums.direct_power = {0.0};
+  s.figures.change_power = change;
+  s.figures.received_power = 100.0;
+  s.figures.arriving_power = {100.0};
+  s.figures.returning_power = {reflected};
+  s.figures.absorbed_power = {50.0};
+  s.figures.escaping_power = s.figures.direct_power = {0.0};
   return s;
 }
 const Spectrum emitted{50.0};
@@ -44,7 +44,7 @@ TEST(ErrorEstimate, WhatTheCoarseSystemLeavesIsBoundedByTheWorstOfThreeRatiosInP
   history.back().missing_power = 0.3;
   EXPECT_NEAR(estimate_error(history, emitted).iteration_bound,
               (0.1 * pair / (1.0 - pair) + 0.3) / 100.0, 1e-9);
-  history.back().sums.work.links_refined = 1;  // other links: too little is known of them
+  history.back().figures.work.links_refined = 1;  // other links: too little is known of them
   EXPECT_DOUBLE_EQ(contraction(history), 0.99);
 }
 
@@ -67,12 +67,12 @@ TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   history.back().plan.sample = true;
   history.back().plan.sample_rays = 64;
-  history.back().sums.error_samples = {{10.0}, {0.1}, {0.5}, {0.3}};
+  history.back().figures.error_samples = {{10.0}, {0.1}, {0.5}, {0.3}};
   // What is off on the patches, and half of a third of that: what they reflect of each other's.
   // Nor does a residual of 0.04 say more than that beside noise that can hide a tenth of itself.
   const double residual = std::hypot(0.04, 0.1 * 0.03);
   EXPECT_NEAR(estimate_error(history, emitted).patches, residual * (1.0 + 0.5 / 3.0), 1e-9);
-  EXPECT_NEAR(sample_noise(history.back().sums.error_samples), 0.03, 1e-9);
+  EXPECT_NEAR(sample_noise(history.back().figures.error_samples), 0.03, 1e-9);
   // A point gathered for sees half of it, as half of its light is reflected, and less for what
   // cancels.
   EXPECT_LT(estimate_error(history, emitted).total(), 0.02);
@@ -80,12 +80,12 @@ TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
 
 TEST(ErrorEstimate, WhatOneBandIsOffByIsNotReflectedByAnother) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
-  IterationFigures& sums = history.back().sums;
+  IterationFigures& figures = history.back().figures;
   history.back().plan.sample = true;
-  sums.arriving_power = {100.0, 100.0};
-  sums.returning_power = {10.0, 90.0};
-  sums.absorbed_power = sums.escaping_power = sums.direct_power = {0.0, 0.0};
-  sums.error_samples = {{10.0, 10.0}, {0.0, 0.0}, {0.6, 0.1}, {0.0, 0.0}};
+  figures.arriving_power = {100.0, 100.0};
+  figures.returning_power = {10.0, 90.0};
+  figures.absorbed_power = figures.escaping_power = figures.direct_power = {0.0, 0.0};
+  figures.error_samples = {{10.0, 10.0}, {0.0, 0.0}, {0.6, 0.1}, {0.0, 0.0}};
   const ErrorEstimate estimate = estimate_error(history, {0.0, 0.0});
   EXPECT_NEAR(estimate.total(), 0.9 * 0.01 / 3.0, 1e-9);
   EXPECT_NEAR(estimate.patches, 0.06 * (1.0 + 0.1 / 3.0), 1e-9);
@@ -96,27 +96,28 @@ TEST(ErrorEstimate, NoiseIsNoMoreThanGatheredPointsAreLeftWith) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   history.back().plan.sample = true;
   history.back().plan.sample_rays = 4096;
-  history.back().sums.error_samples = {{10.0}, {0.0}, {0.1}, {0.1}};  // 1%
+  history.back().figures.error_samples = {{10.0}, {0.0}, {0.1}, {0.1}};  // 1%
   const double some = estimate_error(history, emitted).total();
   EXPECT_LT(some, 0.005);
-  history.back().sums.error_samples.off = history.back().sums.error_samples.noise = {0.8};  // 8%
+  history.back().figures.error_samples.off =
+      history.back().figures.error_samples.noise = {0.8};  // 8%
   EXPECT_GT(estimate_error(history, emitted).total(), 0.015);
 }
 
 TEST(ErrorEstimate, FollowsTheLinksAfterTheLastSamples) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0), summary(0.0)};
   history[1].plan.sample = true;
-  history[1].sums.error_samples = {{10.0}, {0.1}, {0.4}, {0.0}};
-  history[1].sums.link_error_power = 20.0;
-  history[2].sums.link_error_power = 5.0;
+  history[1].figures.error_samples = {{10.0}, {0.1}, {0.4}, {0.0}};
+  history[1].figures.link_error_power = 20.0;
+  history[2].figures.link_error_power = 5.0;
   EXPECT_NEAR(estimate_error(history, emitted).patches, 0.01 * (1.0 + 0.5 / 3.0), 1e-9);
 }
 
 TEST(ErrorEstimate, LightThatIsNeitherAbsorbedNorLeavingIsAnError) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
-  history.back().sums.absorbed_power = {45.0};
+  history.back().figures.absorbed_power = {45.0};
   EXPECT_NEAR(estimate_error(history, emitted).patches, 0.1 * (1.0 + 0.5), 1e-9);
-  history.back().sums.escaping_power = {5.0};
+  history.back().figures.escaping_power = {5.0};
   EXPECT_NEAR(estimate_error(history, emitted).patches, 0.0, 1e-9);
 }
 

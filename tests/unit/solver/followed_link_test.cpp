@@ -80,7 +80,7 @@ TEST_F(FollowedLink, HasTheFiguresOfThePage) {
   const double factor = links.transport(followed)[0];
 
   expect_row("clusters", static_cast<double>(solution_.clusters.size()));
-  expect_row("links in the end", static_cast<double>(solution_.history.back().sums.links), 0.05);
+  expect_row("links in the end", static_cast<double>(solution_.history.back().figures.links), 0.05);
   expect_row("links from the panel to the floor", static_cast<double>(from_panel), 0.05);
   expect_row("path of the receiving patch", floor.node(leaf).id.path, 0.0);
   expect_row("area of the receiving patch, m2", floor.node(leaf).shape.area_m2);

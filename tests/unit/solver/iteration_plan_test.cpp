@@ -13,10 +13,10 @@ IterationSummary summary(int iteration, double bound, double links_refined = 0.0
   s.plan.iteration = iteration;
   s.plan.close_rows = true;
   s.error.iteration_bound = bound;
-  s.sums.change_power = 100.0 * bound;
-  s.sums.received_power = 100.0;
-  s.sums.links = 10000;
-  s.sums.work.links_refined = static_cast<std::uint64_t>(links_refined);
+  s.figures.change_power = 100.0 * bound;
+  s.figures.received_power = 100.0;
+  s.figures.links = 10000;
+  s.figures.work.links_refined = static_cast<std::uint64_t>(links_refined);
   return s;
 }
 IterationSummary sampled(int iteration, double patch_error) {
@@ -111,7 +111,7 @@ TEST(IterationPlan, PatchesAreHeldToTheTargetWhileTheLinksAreFew) {
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
                                            sampled(3, 0.06)};
   history.back().error.discretisation = 0.015;
-  asked.patch_links = history.back().sums.links;
+  asked.patch_links = history.back().figures.links;
   EXPECT_FALSE(next_plan(history, asked).finished);
   asked.patch_links -= 1;
   EXPECT_TRUE(next_plan(history, asked).converged);
@@ -127,16 +127,16 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.plan.sample_rays = 99;
   s.plan.flux_correction = {0.5, -0.25};
   s.time_s = 9.0;
-  s.sums.max_change = 0.75;
-  s.sums.steals = 3;
-  s.sums.work.rays = 1234567890123;
-  s.sums.work.shafts = 8;
+  s.figures.max_change = 0.75;
+  s.figures.steals = 3;
+  s.figures.work.rays = 1234567890123;
+  s.figures.work.shafts = 8;
   double next = 1.0;
   for (Spectrum* spectrum :
-       {&s.sums.arriving_power, &s.sums.returning_power, &s.sums.absorbed_power,
-        &s.sums.escaping_power, &s.sums.direct_power, &s.sums.uncertain_power,
-        &s.sums.error_samples.light, &s.sums.error_samples.surplus, &s.sums.error_samples.off,
-        &s.sums.error_samples.noise}) {
+       {&s.figures.arriving_power, &s.figures.returning_power, &s.figures.absorbed_power,
+        &s.figures.escaping_power, &s.figures.direct_power, &s.figures.uncertain_power,
+        &s.figures.error_samples.light, &s.figures.error_samples.surplus,
+        &s.figures.error_samples.off, &s.figures.error_samples.noise}) {
     *spectrum = {next, next + 0.25};
     next += 1.0;
   }
@@ -144,14 +144,14 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(to_numbers(back), to_numbers(s));
   EXPECT_EQ(back.plan.iteration, 7);
   EXPECT_FALSE(back.plan.refine);
-  EXPECT_EQ(back.sums.work.rays, 1234567890123u);
-  EXPECT_EQ(back.sums.work.shafts, 8u);
+  EXPECT_EQ(back.figures.work.rays, 1234567890123u);
+  EXPECT_EQ(back.figures.work.shafts, 8u);
   EXPECT_EQ(back.error.iteration_bound, 0.5);
   EXPECT_EQ(back.plan.sample_rays, 99);
   EXPECT_EQ(back.plan.flux_correction, s.plan.flux_correction);
-  EXPECT_EQ(back.sums.absorbed_power, s.sums.absorbed_power);
-  EXPECT_EQ(back.sums.error_samples.noise, s.sums.error_samples.noise);
-  EXPECT_EQ(back.sums.escaping_power, s.sums.escaping_power);
+  EXPECT_EQ(back.figures.absorbed_power, s.figures.absorbed_power);
+  EXPECT_EQ(back.figures.error_samples.noise, s.figures.error_samples.noise);
+  EXPECT_EQ(back.figures.escaping_power, s.figures.escaping_power);
   EXPECT_THROW(summary_from(std::vector<double>(9, 1.0)), RunError);
 }
 

@@ -24,7 +24,7 @@ class CountingMachine final : public Machine {
   std::uint64_t memory_bytes() const override { return 0; }
   double now_s() const override { return 0.0; }
   void pause(int) override {}
-  bool simulated() const override { return false; }
+  bool time_passes_by_itself() const override { return true; }
   std::string host() const override { return "here"; }
 
   std::uint64_t common_read = 0, local_read = 0, common_written = 0, local_written = 0, moves = 0;

@@ -1,4 +1,4 @@
-// What masters deal out, with slaves that are only played.
+// Dealers of the schemes with a master; the tests play the slaves.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -35,7 +35,8 @@ GroupDealer groups(const Prepared& p, int slaves, bool steal) {
   return GroupDealer(p, slaves, *make_order(TourOrder::input, 1, p.graph), cost, steal);
 }
 
-/// Who gathered for what in an iteration in which slave s asks `speed[s - 1]` times a round.
+/// The slave of each gather of an iteration in which slave s requests work `speed[s - 1]` times a
+/// round.
 using Turns = std::vector<std::pair<int, ClusterId>>;
 Turns play(Dealer& dealer, const std::vector<int>& speed) {
   Turns turns;
@@ -75,7 +76,7 @@ TEST(GroupDealer, GivesEachClusterOnceAndTheSameGroupsAgain) {
   EXPECT_EQ(dealer.moved(), 0u);
 }
 
-TEST(GroupDealer, MovesGroupsToWhoIsFaster) {
+TEST(GroupDealer, MovesGroupsToTheFasterSlave) {
   const Prepared p = row_of_rooms(6, 4);
   GroupDealer dealer = groups(p, 2, true);
   play(dealer, {1, 1});
@@ -83,7 +84,7 @@ TEST(GroupDealer, MovesGroupsToWhoIsFaster) {
   EXPECT_GT(dealer.moved(), 0u);
 }
 
-TEST(GroupDealer, MovesNothingWhenToldNotTo) {
+TEST(GroupDealer, MovesNothingWithoutStealing) {
   const Prepared p = row_of_rooms(6, 4);
   GroupDealer dealer = groups(p, 2, false);
   const Turns first = play(dealer, {1, 1}), second = play(dealer, {1, 9});
@@ -108,7 +109,7 @@ TEST(CellDealer, TakesOneCellAfterTheOther) {
   }
 }
 
-TEST(CellDealer, WaitsForTheCellAtHandAndTellsWhatCameOfIt) {
+TEST(CellDealer, WaitsForTheCurrentCellAndReportsItsGathers) {
   const Prepared p = row_of_rooms(2, 1);
   CellDealer dealer(p, 2, {0.0, 0.0}, 1, true);
   dealer.start();
@@ -142,7 +143,7 @@ TEST(CellDealer, LaterGoesWhereMostLightWaits) {
   EXPECT_TRUE(next->gather[0].value >= 2 && next->gather[0].value <= 4) << next->gather[0].value;
 }
 
-TEST(CellDealer, StealsWithinTheCellUnlessToldNotTo) {
+TEST(CellDealer, StealsWithinTheCellUnlessStealingIsOff) {
   const Prepared p = row_of_rooms(1, 12);
   CellDealer stealing(p, 2, std::vector<double>(12, 0.0), 1, true);
   expect_each_once(play(stealing, {1, 9}), 12);
