@@ -1,8 +1,8 @@
+#include "hierarchy/patch_shape.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "hierarchy/patch.hpp"
 
 namespace enfilade {
 namespace {
