@@ -1,6 +1,5 @@
 #include "links/error_terms.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace enfilade {
@@ -22,8 +21,8 @@ double receiver_error(const ReceiverSamples& s, int terms) {
   return error;
 }
 
-double visibility_error(double mean_factor, double center_factor, double uncertainty) {
-  return std::max(mean_factor, center_factor) * uncertainty;
+double visibility_error(double area_factor, double uncertainty) {
+  return area_factor * uncertainty;
 }
 
 }  // namespace enfilade

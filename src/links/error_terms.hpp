@@ -37,8 +37,8 @@ double peak_error(double missed, double seen);
 /// All terms of one receiving patch; `terms` per band of its basis (1 or 3).
 double receiver_error(const ReceiverSamples& samples, int terms);
 
-/// Uncertain visibility of the shooter: the largest known factor times the uncertainty of the mean
-/// visible share (PairVisibility::uncertainty).
-double visibility_error(double mean_factor, double center_factor, double uncertainty);
+/// Uncertain visibility of the shooter: `area_factor` is the receiver's area times the largest
+/// known factor (m2), `uncertainty` that of the mean visible share (PairVisibility::uncertainty).
+double visibility_error(double area_factor, double uncertainty);
 
 }  // namespace enfilade

@@ -194,7 +194,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const int terms = receiver.forest->terms();
   out.receiver_error = receiver.area_m2 * receiver_error(samples, terms);
   out.shooter_error =
-      receiver.area_m2 * visibility_error(factor.mean, factor.center, v.uncertainty);
+      visibility_error(receiver.area_m2 * std::max(factor.mean, factor.center), v.uncertainty);
   if (samples.seen <= 0.0) return out;
 
   PointRows rows{};
