@@ -104,7 +104,7 @@ void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool sta
   while (next_ < links.size() && links[next_].shooter_cluster == cluster) ++next_;
   if (config_.refine) {
     for (std::size_t i = begin; i < next_; ++i) {
-      if (refinement_.fine_as_it_is(links[i], links.transport(i), shooter)) {
+      if (refinement_.accurate_enough(links[i], links.transport(i), shooter)) {
         if (changed_) kept_.add(links[i], links.transport(i));
         continue;
       }

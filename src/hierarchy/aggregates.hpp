@@ -1,4 +1,5 @@
-// The parts of a cluster that the coarse system has an unknown each for (coarse_correction.hpp).
+// The aggregates of a cluster: the parts that have one unknown each in the coarse system of the
+// two-level method (coarse/coarse_correction.hpp).
 #pragma once
 
 #include <cstddef>
@@ -6,51 +7,57 @@
 #include <span>
 #include <vector>
 
-#include "base/byte_stream.hpp"
-#include "hierarchy/patch.hpp"
+#include "hierarchy/patch_forest.hpp"
 
 namespace enfilade {
 
 /// A cut through a cluster's hierarchy, the same on every rank whatever patches have been made
-/// there: groups, polygons, or parts of polygons, in depth-first order, so that any node reaches
-/// into a range of them. One aggregate is the whole cluster.
+/// there: groups, polygons, or parts of polygons, in depth-first order, so that the aggregates
+/// under any node of the hierarchy are consecutive. One aggregate is the whole cluster.
 class Aggregates {
  public:
+  /// Consecutive aggregates, begin .. end - 1.
   struct Range {
     std::uint32_t begin = 0, end = 1;
     std::uint32_t size() const { return end - begin; }
   };
 
+  /// One aggregate.
   Aggregates() = default;
-  /// The largest node is parted until there are `most` aggregates.
+  /// Splits the largest node (by area) until there are `most` aggregates.
   Aggregates(const PatchForest& forest, std::size_t most);
 
   std::size_t size() const { return aggregates_.empty() ? 1 : aggregates_.size(); }
-  /// The aggregate that a patch lies in, or those that lie in it.
+  /// The aggregate that contains the node, or the aggregates that the node contains.
   Range of(const PatchForest& forest, PatchId node) const;
-  /// Adds `power` (per band) of a patch to its aggregates in `sums` [aggregate * bands + band], by
-  /// area.
+  /// Adds a patch's `power` (per band) to its aggregates in `sums` [aggregate * bands + band],
+  /// divided among several by area.
   void add(const PatchForest& forest, PatchId patch, std::span<const double> power,
            std::span<double> sums) const;
-  /// [aggregate * bands + band]: what of the radiosity is reflected, times area.
+  /// Area times reflected radiosity (radiosity - exitance) of each aggregate, not below zero,
+  /// [aggregate * bands + band].
   std::vector<double> reflected_power(const PatchForest& forest) const;
-  /// Adds these shares [aggregate * bands + band] of the aggregates' irradiance, and what is
-  /// reflected of that: as evenly over a polygon's part in a aggregate as its darkest leaf is lit,
-  /// so that no leaf gains more than twice its own share and the dark stays dark; the rest, and
-  /// what is taken, by each leaf's own light.
+  /// Adds the shares [aggregate * bands + band] of the aggregates' irradiance to the leaves, and
+  /// the light that they reflect of it. An addition is distributed over the leaves of a polygon
+  /// within an aggregate: a uniform part, as large as the least lit of these leaves allows, and the
+  /// rest in proportion to each leaf's irradiance. So no leaf gains more than twice its
+  /// proportional share, and leaves without light stay without. A negative share is all in
+  /// proportion.
   void add_share(PatchForest& forest, std::span<const double> shares) const;
 
   std::size_t memory_bytes() const {
     return aggregates_.capacity() * sizeof(Aggregate) + of_polygon_.capacity() * sizeof(Range);
   }
-  void write(ByteWriter& w) const;
-  static Aggregates read(ByteReader& r);
 
  private:
+  friend class ClusterCodec;
   struct Aggregate {
     PatchId node;
     double area_m2 = 0.0;
   };
+  double mean_share(Range range, std::span<const double> shares, std::size_t band,
+                    std::size_t bands) const;
+
   std::vector<Aggregate> aggregates_;  ///< empty: one, the cluster
   std::vector<Range> of_polygon_;
 };

@@ -1,11 +1,13 @@
 #include "hierarchy/cluster_state.hpp"
 
 #include "base/byte_stream.hpp"
+#include "hierarchy/cluster_codec.hpp"
 
 namespace enfilade {
 namespace {
 
-/// The frame's first axis runs along the longest edge, so that a rectangle is cut along its sides.
+/// The frame of a polygon: its origin is the centroid, and its first axis runs along the longest
+/// edge, so that a rectangle is cut along its sides.
 PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
   PolygonFrame frame;
   frame.surface = polygon.surface;
@@ -14,8 +16,9 @@ PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
   double longest = -1.0;
   for (std::size_t i = 0; i < polygon.polygon.size(); ++i) {
     const Vec3 edge = polygon.polygon[(i + 1) % polygon.polygon.size()] - polygon.polygon[i];
-    // A little longer is not enough: parallel sides that differ by rounding must give one answer.
-    if (glm::length(edge) > longest * (1.0 + 1e-9)) {
+    // Parallel sides that differ by rounding alone must give the same frame: the first one counts.
+    constexpr double clearly_longer = 1.0 + 1e-9;
+    if (glm::length(edge) > longest * clearly_longer) {
       longest = glm::length(edge);
       frame.u = edge;
     }
@@ -37,169 +40,11 @@ std::vector<PolygonFrame> frames_of(const Cluster& cluster, const Scene& scene) 
   return frames;
 }
 
+/// Transport coefficients a link: 3 x 3 for the linear basis; else one for patches, and four for
+/// groups (LinkEstimate::transport).
 std::size_t link_stride(Basis basis) { return basis == Basis::linear ? 9 : 4; }
 
 }  // namespace
-
-/// Reads and writes the private parts of the solver's structures, section by section.
-class ClusterStateCodec {
- public:
-  static void write_geometry(const PatchForest& f, ByteWriter& w) {
-    w.put(f.bands_);
-    w.put(f.terms_);
-    w.put(static_cast<std::uint64_t>(f.frames_.size()));
-    for (const PolygonFrame& frame : f.frames_) {
-      w.put(frame.surface);
-      w.put(frame.origin);
-      w.put(frame.u);
-      w.put(frame.v);
-      w.put(frame.n);
-      w.put_all(frame.reflectance);
-      w.put_all(frame.exitance);
-      w.put_all(frame.lines);
-    }
-    for (std::size_t k = 0; k < f.frames_.size(); ++k) write_node(f.nodes_[k], w);
-    w.put_all(f.groups_);
-    w.put_all(f.order_);
-  }
-
-  static PatchForest read_geometry(ByteReader& r) {
-    PatchForest f;
-    f.bands_ = r.get<int>();
-    f.terms_ = r.get<int>();
-    f.frames_.resize(r.get_count(sizeof(Vec3)));
-    for (PolygonFrame& frame : f.frames_) {
-      frame.surface = r.get<SurfaceId>();
-      frame.origin = r.get<Vec3>();
-      frame.u = r.get<Vec3>();
-      frame.v = r.get<Vec3>();
-      frame.n = r.get<Vec3>();
-      r.get_all(frame.reflectance);
-      r.get_all(frame.exitance);
-      frame.lines = r.get_all<MeshLine>();
-    }
-    for (std::size_t k = 0; k < f.frames_.size(); ++k) f.nodes_.push_back(read_node(r));
-    f.groups_ = r.get_all<GroupNode>();
-    f.order_ = r.get_all<std::uint32_t>();
-    f.sum_exitances();
-    return f;
-  }
-
-  /// Only which node was split is kept: shapes follow from the polygons by the same cuts.
-  static void write_patches(const PatchForest& f, ByteWriter& w) {
-    std::vector<std::uint32_t> splits;
-    for (std::size_t c = f.frames_.size(); c < f.nodes_.size(); c += 2) {
-      splits.push_back(static_cast<std::uint32_t>(f.nodes_[c].parent));
-    }
-    w.put_all(splits);
-    w.put_all(f.radiosity_);
-    w.put_all(f.irradiance_);
-    w.put_all(f.deviation_);
-    w.put_all(f.enclosed_share_);
-    w.put(f.lit_when_measured_);
-    w.put_all(f.unreachable_);
-  }
-
-  static void read_patches(PatchForest& f, ByteReader& r) {
-    const std::vector<std::uint32_t> splits = r.get_all<std::uint32_t>();
-    f.nodes_.reserve(f.frames_.size() + 2 * splits.size());
-    for (const std::uint32_t parent : splits) {
-      if (parent >= f.nodes_.size())
-        throw RunError("a cluster's record names a patch it does not have");
-      f.add_halves(parent);
-    }
-    f.radiosity_ = r.get_all<double>();
-    f.irradiance_ = r.get_all<double>();
-    f.deviation_ = r.get_all<double>();
-    f.enclosed_share_ = r.get_all<float>();
-    f.lit_when_measured_ = r.get<std::uint32_t>();
-    f.unreachable_ = r.get_all<std::uint8_t>();
-    if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
-        f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
-        f.enclosed_share_.size() != f.nodes_.size() || f.unreachable_.size() != f.frames_.size()) {
-      throw RunError("a cluster's record holds light for another number of patches");
-    }
-    f.pull_groups();
-  }
-
-  static void write_links(const LinkSet& l, ByteWriter& w) {
-    w.put(static_cast<std::uint64_t>(l.stride_));
-    w.put_all(l.links_);
-    w.put_all(l.transport_);
-  }
-
-  static LinkSet read_links(ByteReader& r, std::size_t stride) {
-    if (r.get<std::uint64_t>() != stride)
-      throw RunError("a cluster's record holds links of another basis");
-    LinkSet l(stride);
-    l.links_ = r.get_all<Link>();
-    l.transport_ = r.get_all<float>();
-    if (l.transport_.size() != l.links_.size() * l.stride_) {
-      throw RunError("a cluster's record holds transport for another number of links");
-    }
-    return l;
-  }
-
-  static std::size_t bytes(const PatchForest& f) {
-    // What does not lie in the nodes and frames themselves.
-    const auto bands = static_cast<std::size_t>(f.bands_);
-    const std::size_t in_frames =
-        bands > BandValues::static_capacity ? 2 * sizeof(double) * bands : 0;
-    std::size_t corners = 0;
-    for (const PatchNode& n : f.nodes_) {
-      if (n.shape.vertices.capacity() > PatchOutline::static_capacity)
-        corners += n.shape.vertices.capacity();
-    }
-    return f.nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
-           (f.radiosity_.capacity() + f.irradiance_.capacity() + f.deviation_.capacity()) *
-               sizeof(double) +
-           f.frames_.size() * (sizeof(PolygonFrame) + in_frames) +
-           f.groups_.size() * (sizeof(GroupNode) + sizeof(double) * (2 * bands + 1));
-  }
-  static std::size_t bytes(const LinkSet& l) {
-    return l.links_.capacity() * sizeof(Link) + l.transport_.capacity() * sizeof(float);
-  }
-
-  /// Of a section, about.
-  static std::size_t written_bytes(const ClusterState& state, Section section) {
-    const PatchForest& f = state.patches();
-    const LinkSet& l = state.links();
-    constexpr std::size_t head = 64;
-    if (section == Section::links)
-      return head + l.links_.size() * sizeof(Link) + l.transport_.size() * sizeof(float);
-    if (section == Section::patches) {
-      return head + f.frames_.size() +
-             f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1));
-    }
-    return head;  // written once
-  }
-
-  static void shrink(PatchForest& f) {
-    f.nodes_.shrink_to_fit();
-    f.radiosity_.shrink_to_fit();
-    f.irradiance_.shrink_to_fit();
-    f.deviation_.shrink_to_fit();
-    f.enclosed_share_.shrink_to_fit();
-    for (PatchNode& n : f.nodes_) n.shape.vertices.shrink_to_fit();
-  }
-  static void shrink(LinkSet& l) {
-    l.links_.shrink_to_fit();
-    l.transport_.shrink_to_fit();
-  }
-
- private:
-  static void write_node(const PatchNode& n, ByteWriter& w) {
-    w.put(n.id);
-    w.put_all(n.shape.vertices);
-  }
-  static PatchNode read_node(ByteReader& r) {
-    PatchNode n;
-    n.id = r.get<PatchId>();
-    r.get_all(n.shape.vertices);
-    n.shape = PatchShape::from(n.shape.vertices);
-    return n;
-  }
-};
 
 ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis basis,
                            std::size_t aggregates)
@@ -217,29 +62,29 @@ ClusterState::ClusterState(std::span<const std::byte> geometry, std::span<const 
                            std::span<const std::byte> links) {
   const std::string what = "a cluster's record";
   ByteReader g(geometry, what);
-  id_ = g.get<ClusterId>();
-  cell_ = g.get<CellId>();
-  basis_ = g.get<Basis>();
-  patches_ = ClusterStateCodec::read_geometry(g);
-  aggregates_ = Aggregates::read(g);
+  id_.value = g.get<std::uint32_t>();
+  cell_.value = g.get<std::uint32_t>();
+  basis_ = static_cast<Basis>(g.get<std::uint8_t>());
+  patches_ = ClusterCodec::read_geometry(g);
+  aggregates_ = ClusterCodec::read_aggregates(g);
   g.expect_end();
   bands_ = patches_.bands();
   ByteReader p(patches, what);
-  iteration_ = p.get<int>();
-  ClusterStateCodec::read_patches(patches_, p);
+  iteration_ = p.get<std::int32_t>();
+  ClusterCodec::read_patches(patches_, p);
   p.expect_end();
   links_ = LinkSet(link_stride(basis_));
   if (!links.empty()) {
     ByteReader l(links, what);
-    links_ = ClusterStateCodec::read_links(l, link_stride(basis_));
+    links_ = ClusterCodec::read_links(l, link_stride(basis_));
     l.expect_end();
   }
   shrink();
 }
 
 void ClusterState::shrink() {
-  ClusterStateCodec::shrink(patches_);
-  ClusterStateCodec::shrink(links_);
+  patches_.shrink();
+  links_.shrink();
 }
 
 ClusterState ClusterState::shooter() const {
@@ -260,28 +105,33 @@ void ClusterState::correct(std::span<const double> changes) {
 }
 
 std::vector<std::byte> ClusterState::bytes_of(Section section) const {
-  ByteWriter w(ClusterStateCodec::written_bytes(*this, section));
+  constexpr std::size_t head_bytes = 64;  // more than what stands before the lists
+  const std::size_t lists_bytes = section == Section::patches
+                                      ? ClusterCodec::patches_bytes(patches_)
+                                  : section == Section::links ? ClusterCodec::links_bytes(links_)
+                                                              : 0;  // written once
+  ByteWriter w(head_bytes + lists_bytes);
   switch (section) {
     case Section::geometry:
-      w.put(id_);
-      w.put(cell_);
-      w.put(basis_);
-      ClusterStateCodec::write_geometry(patches_, w);
-      aggregates_.write(w);
+      w.put(id_.value);
+      w.put(cell_.value);
+      w.put(static_cast<std::uint8_t>(basis_));
+      ClusterCodec::write_geometry(patches_, w);
+      ClusterCodec::write_aggregates(aggregates_, w);
       break;
     case Section::patches:
-      w.put(iteration_);
-      ClusterStateCodec::write_patches(patches_, w);
+      w.put(std::int32_t{iteration_});
+      ClusterCodec::write_patches(patches_, w);
       break;
     case Section::links:
-      ClusterStateCodec::write_links(links_, w);
+      ClusterCodec::write_links(links_, w);
       break;
   }
   return w.take();
 }
 
 std::size_t ClusterState::memory_bytes() const {
-  return sizeof(*this) + ClusterStateCodec::bytes(patches_) + ClusterStateCodec::bytes(links_) +
+  return sizeof(*this) + patches_.memory_bytes() + links_.memory_bytes() +
          aggregates_.memory_bytes();
 }
 

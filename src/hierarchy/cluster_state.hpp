@@ -11,7 +11,7 @@
 #include "clusters/cluster.hpp"
 #include "hierarchy/aggregates.hpp"
 #include "hierarchy/link.hpp"
-#include "hierarchy/patch.hpp"
+#include "hierarchy/patch_forest.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -19,31 +19,36 @@ namespace enfilade {
 /// Radiosity over a patch: one number a band (constant), or an affine function (linear).
 enum class Basis : std::uint8_t { constant = 1, linear = 3 };
 
-/// A cluster's file has three sections: others need the first two, its owner all three (§4.1, 4.3).
+/// The sections of a cluster, each a file of its own: other ranks need the first two, its owner all
+/// three (§4.1, §4.3). Geometry never changes, links change only where they are refined, patches in
+/// every iteration.
 enum class Section : std::uint8_t { geometry = 0, patches = 1, links = 2 };
 
+/// A cluster's patches with their light, its aggregates and its links.
 class ClusterState {
  public:
   /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet. The coarse system
   /// has at most `aggregates` unknowns for it.
   ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t aggregates = 1);
-  /// From the sections of its file; `links` may be empty for a cluster that only shoots.
-  /// Throws RunError where the bytes are not such sections.
+  /// From the sections of its file, as bytes_of returned them (layout: cluster_codec.hpp); `links`
+  /// may be empty for a cluster that only shoots. Throws RunError where the bytes are not such
+  /// sections.
   ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
                std::span<const std::byte> links);
 
-  /// A copy of what others need of it: everything but the links.
+  /// A copy without the links: all that other receivers need.
   ClusterState shooter() const;
-  /// Gives back the memory that growing vectors have asked for in advance.
+  /// Gives back the memory that growing vectors have reserved.
   void shrink();
   /// Applies a coarse correction: the relative change of its light, [aggregate * bands + band].
   void correct(std::span<const double> changes);
-  /// The iteration that it was last gathered for in; 0 = never.
+  /// The iteration in which it was last the receiving cluster; 0 = never.
   int iteration() const { return iteration_; }
   void set_iteration(int iteration) { iteration_ = iteration; }
 
+  /// The bytes of one section of its file.
   std::vector<std::byte> bytes_of(Section section) const;
-  /// Bytes that the sections take in memory.
+  /// Bytes in memory, of the object and on the heap.
   std::size_t memory_bytes() const;
 
   ClusterId id() const { return id_; }

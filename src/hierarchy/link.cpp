@@ -17,6 +17,15 @@ void LinkSet::take_first(const LinkSet& other, std::size_t n) {
                     other.transport_.begin() + static_cast<std::ptrdiff_t>(n * stride_));
 }
 
+std::size_t LinkSet::memory_bytes() const {
+  return links_.capacity() * sizeof(Link) + transport_.capacity() * sizeof(float);
+}
+
+void LinkSet::shrink() {
+  links_.shrink_to_fit();
+  transport_.shrink_to_fit();
+}
+
 double area_factor(const PatchForest& receiver, const Link& link,
                    std::span<const float> transport) {
   if (!link.receiver.is_group()) {

@@ -1,4 +1,5 @@
-// Links: how much of a shooter's light arrives at a receiver. They belong to the receiver (§4.3).
+// Links: how much of a shooter's light arrives at a receiver. A link belongs to its receiver
+// (§4.3).
 #pragma once
 
 #include <cstdint>
@@ -6,11 +7,12 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "hierarchy/patch.hpp"
+#include "hierarchy/patch_forest.hpp"
 
 namespace enfilade {
 
-/// A shooter is a node of some cluster, or (cluster = none) the point light numbered shooter.root.
+/// A link from a shooter, which is a node of some cluster or (cluster = none) the point light
+/// numbered shooter.root, to a node of the receiving cluster.
 struct Link {
   ClusterId shooter_cluster;
   PatchId shooter;
@@ -18,10 +20,11 @@ struct Link {
   float shooter_x = 0.0f,
         shooter_y = 0.0f;  ///< the shooting patch's centroid, in its polygon's frame
   float error = 0.0f;  ///< estimated error of the received power (m2) per unit of mean radiosity
-  float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around it
+  float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around its mean
   bool evaluated = false;  ///< false: its shooter had no light yet, transport is not known
   bool finest = false;     ///< neither side can be split further
-  std::uint8_t visibility_uncertainty = 0;  ///< 255ths of `error` that are doubt about visibility
+  std::uint8_t visibility_uncertainty = 0;  ///< 255ths of `error` that come from visibility
+  /// The part of `error` that comes from visibility.
   float visibility_error() const {
     return error * static_cast<float>(visibility_uncertainty) / 255.0f;
   }
@@ -44,18 +47,22 @@ class LinkSet {
   }
   std::span<float> transport(std::size_t i) { return {transport_.data() + i * stride_, stride_}; }
   void add(const Link& link, std::span<const float> transport);
-  /// The first n links of another set, and no others.
+  /// Replaces all links by the first n of another set.
   void take_first(const LinkSet& other, std::size_t n);
+  /// Bytes on the heap.
+  std::size_t memory_bytes() const;
+  /// Gives back the memory that growing vectors have reserved.
+  void shrink();
 
  private:
-  friend class ClusterStateCodec;
+  friend class ClusterCodec;
   std::size_t stride_ = 1;
   std::vector<Link> links_;
   std::vector<float> transport_;
 };
 
-/// A group that receives a beam of light passes it to those of its polygons that turn towards it:
-/// calls take(polygon, cosine) for them. `transport` is the link's.
+/// A group receives parallel light, from the direction that its link's `transport` holds: calls
+/// take(polygon, cosine) for those of its polygons that face this direction and can be lit.
 template <class Take>
 void for_each_facing(const PatchForest& receiver, const Link& link,
                      std::span<const float> transport, Take take) {
@@ -68,8 +75,7 @@ void for_each_facing(const PatchForest& receiver, const Link& link,
   }
 }
 
-/// Area times form factor (m2) from the shooter as a whole: what its mean radiosity brings in
-/// power.
+/// Area times form factor of a link (m2): received power per unit of the shooter's mean radiosity.
 double area_factor(const PatchForest& receiver, const Link& link, std::span<const float> transport);
 
 }  // namespace enfilade

@@ -1,9 +1,10 @@
+#include "hierarchy/patch_shape.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/clip.hpp"
-#include "hierarchy/patch.hpp"
 
 namespace enfilade {
 namespace {

@@ -1,6 +1,16 @@
 #include "links/link_refinement.hpp"
 
 namespace enfilade {
+namespace {
+
+/// A group receives as one only where this share of the power bound is below the tolerance: its
+/// transport is rough.
+constexpr double receiving_group_share = 0.1;
+/// A group shoots as one, where that matters, with at most so many polygons: each costs a form
+/// factor at each of the receiver's points.
+constexpr std::uint32_t most_shooting_polygons = 32;
+
+}  // namespace
 
 LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
                                const Occluders& occluders, const RefinementConfig& config,
@@ -24,8 +34,8 @@ bool LinkRefinement::can_split(const LinkSide& side) const {
          side.shape.deviations().y > 0.0;
 }
 
-bool LinkRefinement::fine_as_it_is(const Link& link, std::span<const float> transport,
-                                   const PatchForest* shooter) const {
+bool LinkRefinement::accurate_enough(const Link& link, std::span<const float> transport,
+                                     const PatchForest* shooter) const {
   if (!link.evaluated && link.is_light()) return false;
   if (link.evaluated && link.finest) return true;
   const NodeLight sent = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
@@ -60,16 +70,16 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   const double bound = LinkEstimator::power_bound(receiver, shooter);
   const bool shooter_is_larger = shooter.radius > receiver.radius;
 
-  // A group receives as one only where that can matter little; it shoots as one where it is not
-  // large.
-  if (receiver.is_group() && (receiver.same_node(shooter) || 0.1 * bound > tolerance)) {
+  if (receiver.is_group() &&
+      (receiver.same_node(shooter) || receiving_group_share * bound > tolerance)) {
     split(receiver, shooter,
           !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter), nullptr);
     return;
   }
   if (shooter.is_group() && !receiver.is_group()) {
     const GroupNode& group = shooter.group();
-    const bool near_or_many = shooter.cluster == receiver.cluster || group.end - group.begin > 32;
+    const bool near_or_many =
+        shooter.cluster == receiver.cluster || group.end - group.begin > most_shooting_polygons;
     if (near_or_many && bound > tolerance) {
       split(receiver, shooter, false, nullptr);
       return;
@@ -94,7 +104,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   split(receiver, shooter, split_receiver, between != nullptr ? between : among);
 }
 
-/// Puts the links between the halves of one side and the other side on the list.
+/// Puts the links between the halves of one side and the other side on the list of pending links.
 void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver,
                            const LinkEstimator::Between& between) {
   ++work_.links_refined;
@@ -103,12 +113,7 @@ void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bo
   const LinkSide& side = split_receiver ? receiver : shooter;
   std::array<PatchId, 2> halves;
   if (side.is_group()) {
-    const GroupNode& group = side.group();
-    auto id = [](std::int32_t child) {
-      return child >= 0 ? PatchId{PatchId::group_bit + static_cast<std::uint32_t>(child), 1}
-                        : PatchId{static_cast<std::uint32_t>(~child), 1};
-    };
-    halves = {id(group.left), id(group.right)};
+    halves = {side.group().left_id(), side.group().right_id()};
   } else {
     halves = {side.id.child(0), side.id.child(1)};
     if (split_receiver) {
@@ -127,7 +132,7 @@ void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bo
   }
 }
 
-/// Writes into the link what the estimate says of it.
+/// Copies the estimate's errors, and the shooter's centroid, into the link.
 void LinkRefinement::describe(Link& link, const LinkSide& shooter, const LinkEstimate& estimate) {
   link.evaluated = true;
   link.finest = false;

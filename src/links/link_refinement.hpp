@@ -1,4 +1,5 @@
-// Refinement: which pairs of nodes are linked, so that each link's error is below a tolerance.
+// Refinement of links (§3.3.2; Hanrahan, Salzman and Aupperle 1991): which pairs of nodes are
+// linked, so that each link's error is below a tolerance.
 #pragma once
 
 #include <memory>
@@ -10,7 +11,7 @@
 namespace enfilade {
 
 struct RefinementConfig {
-  /// A link that the oracle doubts more than this is refined. Power: area times irradiance, the
+  /// A link is refined where the oracle's error is above this. Power: area times irradiance, the
   /// scene's unit times m2, in the worst band.
   double link_tolerance = 0.0;
   int max_depth = 20;        ///< binary splits below a polygon
@@ -19,17 +20,18 @@ struct RefinementConfig {
   VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
-/// Refines the links of one receiving cluster. Splits its patches as it goes.
+/// Refines the links of one receiving cluster. Splits the receiver's patches where links need it.
 class LinkRefinement {
  public:
   LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
-  /// May the link stay as it is at today's light? `shooter`: the patches of link.shooter_cluster;
-  /// null for a point light.
-  bool fine_as_it_is(const Link& link, std::span<const float> transport,
-                     const PatchForest* shooter) const;
-  /// For a link that may not: appends to `kept` what takes its place, which may be nothing.
+  /// Whether the link's error at the shooter's current light is within the tolerance, or cannot be
+  /// made smaller. `shooter`: the patches of link.shooter_cluster; null for a point light.
+  bool accurate_enough(const Link& link, std::span<const float> transport,
+                       const PatchForest* shooter) const;
+  /// Refines a link that is not accurate enough: appends the links that replace it to `kept`, or
+  /// none where no light can arrive.
   void refine(const Link& link, const PatchForest* shooter, LinkSet& kept);
 
  private:

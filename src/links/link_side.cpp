@@ -1,13 +1,15 @@
+#include "links/link_side.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/clip.hpp"
-#include "links/link_estimate.hpp"
 
 namespace enfilade {
 namespace {
 
-/// A node's shape, or where it has not been made that of the part of its ancestor.
+/// The shape of patch `id`: of the node itself, or cut out of `node`, its deepest ancestor that has
+/// been made.
 PatchShape shape_of(const PatchForest& forest, std::size_t node, PatchId id) {
   PatchShape shape = forest.node(node).shape;
   int missing = 0;
@@ -19,8 +21,8 @@ PatchShape shape_of(const PatchForest& forest, std::size_t node, PatchId id) {
   return shape;
 }
 
-/// The largest mean over the bands, and the largest RMS variation (gradient and children) over a
-/// part of a node.
+/// The largest mean over the bands, and the largest RMS variation (by the gradient and by the
+/// node's deviation), over a part s of a node.
 NodeLight light_within(const PatchForest& forest, std::size_t node, const PatchShape& s) {
   NodeLight sent;
   const std::span<const double> b = forest.radiosity(node);

@@ -1,66 +1,114 @@
+// Which method a pair's visibility takes, and visibility by rays (the exact one:
+// exact_visibility.cpp).
+#include "links/link_visibility.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "base/random.hpp"
-#include "geometry/form_factor.hpp"
-#include "links/link_estimate.hpp"
 
 namespace enfilade {
 namespace {
 
-/// More occluders than that are seen to by rays: cutting costs their number times the parts, rays
-/// do not.
+/// The exact method cuts against at most so many occluders: its cost is their number times the
+/// visible parts, and rays cost the same whatever their number.
 constexpr std::size_t most_occluders = 16;
-/// Up to so many are kept for a link's parts to be held against, instead of all polygons.
+/// A list of at most so many occluders is kept for the parts of a link, which then search it
+/// instead of all polygons.
 constexpr std::size_t most_listed = 32;
 
-/// Where on its plane the light of these parts comes from, as x with normal n weighs it: three
-/// points a triangle, exact for quadratics (Strang and Fix).
-Vec2 mean_place(const VisibleParts& parts, const Vec3& x, const Vec3& n,
-                const PolygonFrame& frame) {
-  Vec2 sum(0.0);
-  double weight = 0.0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const std::span<const Vec3> part = parts[p];
-    for (std::size_t i = 2; i < part.size(); ++i) {
-      const Vec3 corner[3] = {part[0], part[i - 1], part[i]};
-      const double area = glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
-      for (int side = 0; side < 3; ++side) {
-        const Vec3 y = 0.5 * (corner[side] + corner[(side + 1) % 3]);
-        const double w = area * point_kernel(x, n, y, frame.n);
-        weight += w;
-        sum += w * frame.project(y);
-      }
-    }
-  }
-  return weight > 0.0 ? sum / weight : Vec2(0.0);
+/// Below this share of the tolerance the power is too small for its visibility to matter: one ray.
+constexpr double one_ray_share = 0.1;
+// Uncertainties of the mean visibility, as shares of the power.
+constexpr double one_ray_uncertainty = 0.5;     ///< largest standard deviation of one yes or no
+constexpr double four_rays_uncertainty = 0.25;  ///< of the mean of four: 0.5 / sqrt(4)
+constexpr double agreeing_uncertainty = 0.1;    ///< four that agree, by Jeffreys: 0.5 / (4 + 1)
+
+/// The uncertainty of a share of which 16 rays found `open` open. Where all rays agree: the share
+/// of the other answer by Jeffreys' estimate (k + 1/2) / (n + 1); else the standard deviation.
+double uncertainty_of_16(int open) {
+  const double p = (open + 0.5) / 17.0;
+  return open == 0 || open == 16 ? p < 0.5 ? p : 1.0 - p : std::sqrt(p * (1.0 - p) / 16.0);
 }
+
+/// The shooter's quarter that the first ray from a receiver's quarter goes to: a permutation.
+int first_partner(int quarter) { return (quarter * 3 + 1) % 4; }
 
 }  // namespace
 
-bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
-                             int quarter, Random& random, std::uint32_t* blocker) {
-  Vec3 y = shooter.center;
-  std::uint32_t skip_shooter = RayScene::no_polygon;
-  if (shooter.is_patch()) {
-    y = shooter.frame().at(
-        shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
-    skip_shooter = occluders_->global(shooter.cluster, shooter.id.root);
-  } else if (shooter.is_group()) {
-    // A polygon by its share of the group's factor, stratified over the quarters, then a point on
-    // it.
-    const GroupNode& group = shooter.group();
-    double total = 0.0;
-    for (const double w : weights_) total += w;
-    double pick = total * (quarter + random.uniform()) / 4.0;
-    std::uint32_t i = 0;
-    while (i + 1 < weights_.size() && pick >= weights_[i]) pick -= weights_[i++];
-    const std::uint32_t k = shooter.forest->order()[group.begin + i];
-    const int q = static_cast<int>(random.below(4));
-    y = shooter.forest->frames()[k].at(
-        shooter.forest->node(k).shape.point_in_quarter(q, random.uniform(), random.uniform()));
-    skip_shooter = occluders_->global(shooter.cluster, k);
+/// Rays from random points in quarters of a receiving patch.
+struct LinkVisibility::QuarterRays {
+  LinkVisibility& visibility;
+  const LinkSide& receiver;
+  const LinkSide& shooter;
+  std::span<const double> group_factors;
+  std::uint32_t own;  ///< global number of the receiver's polygon
+  Random random;
+
+  bool open(int quarter, int shooter_quarter, std::uint32_t* blocker) {
+    const Vec3 x = receiver.frame().at(
+        receiver.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
+    return visibility.ray_open(x, own, shooter, group_factors, shooter_quarter, random, blocker);
   }
+  PairVisibility one() {
+    PairVisibility v;
+    const int quarter = static_cast<int>(random.below(4));
+    v.fill(open(quarter, quarter, nullptr) ? 1.0 : 0.0);
+    v.uncertainty = one_ray_uncertainty;
+    return v;
+  }
+  /// One ray from each quarter; returns how many are open.
+  int four(PairVisibility& v, std::uint32_t& blocker) {
+    int count = 0;
+    for (int q = 0; q < 4; ++q) {
+      const bool seen = open(q, first_partner(q), &blocker);
+      v.at[static_cast<std::size_t>(q)] = seen ? 1.0 : 0.0;
+      count += seen ? 1 : 0;
+    }
+    return count;
+  }
+  /// Twelve more than four(), so that each pair of quarters has one ray; returns how many of the 16
+  /// are open.
+  int sixteen(PairVisibility& v, int open_of_four) {
+    int count = open_of_four;
+    for (int q = 0; q < 4; ++q) {
+      for (int other = 0; other < 4; ++other) {
+        if (other == first_partner(q)) continue;
+        const bool seen = open(q, other, nullptr);
+        v.at[static_cast<std::size_t>(q)] += seen ? 1.0 : 0.0;
+        count += seen ? 1 : 0;
+      }
+      v.at[static_cast<std::size_t>(q)] /= 4.0;
+    }
+    return count;
+  }
+};
+
+LinkVisibility::Target LinkVisibility::target_on(const LinkSide& shooter,
+                                                 std::span<const double> group_factors, int quarter,
+                                                 Random& random) const {
+  if (shooter.is_patch()) {
+    const Vec3 y = shooter.frame().at(
+        shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
+    return {y, occluders_->global(shooter.cluster, shooter.id.root)};
+  }
+  if (!shooter.is_group()) return {shooter.center, RayScene::no_polygon};
+  // A polygon by its share of the group's factor, stratified over the quarters, then a point on it.
+  const GroupNode& group = shooter.group();
+  double total = 0.0;
+  for (const double w : group_factors) total += w;
+  double pick = total * (quarter + random.uniform()) / 4.0;
+  std::uint32_t i = 0;
+  while (i + 1 < group_factors.size() && pick >= group_factors[i]) pick -= group_factors[i++];
+  const std::uint32_t k = shooter.forest->order()[group.begin + i];
+  const int q = static_cast<int>(random.below(4));
+  const Vec3 y = shooter.forest->frames()[k].at(
+      shooter.forest->node(k).shape.point_in_quarter(q, random.uniform(), random.uniform()));
+  return {y, occluders_->global(shooter.cluster, k)};
+}
+
+bool LinkVisibility::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
+                              std::span<const double> group_factors, int quarter, Random& random,
+                              std::uint32_t* blocker) {
+  const auto [y, skip_shooter] = target_on(shooter, group_factors, quarter, random);
   ++work_->rays;
   if (blocker == nullptr) return !occluders_->rays().occluded(x, y, skip, skip_shooter);
   const double distance = glm::length(y - x);
@@ -71,74 +119,56 @@ bool LinkEstimator::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& 
   return false;
 }
 
-LinkEstimator::Visibility LinkEstimator::by_rays(const LinkSide& receiver, const LinkSide& shooter,
-                                                 double power, double tolerance) {
-  Visibility v;
-  Random random(LinkSide::seed_of(receiver, shooter));
-  const std::uint32_t skip = occluders_->global(receiver.cluster, receiver.id.root);
-  const PolygonFrame& frame = receiver.frame();
-  auto point = [&](int q) {
-    return frame.at(receiver.shape.point_in_quarter(q, random.uniform(), random.uniform()));
-  };
-  // Too little power for its visibility to matter: one ray.
-  if (power <= 0.1 * tolerance) {
-    const int q = static_cast<int>(random.below(4));
-    const bool open = ray_open(point(q), skip, shooter, q, random, nullptr);
-    v.fill(open ? 1.0 : 0.0);
-    v.within = 0.5;
-    return v;
-  }
-  int open = 0;
+/// Four rays have agreed: is it certain that all is open, or that `blocker` hides all?
+bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, bool open,
+                            std::uint32_t blocker) {
+  ++work_->shafts;
+  if (!open) return occluders_->shaft_shut(receiver.corners, shooter.corners, blocker);
+  // The exact method has tried the shaft between two patches already.
+  return shooter.is_light() &&
+         occluders_->shaft_open(receiver.corners, shooter.corners,
+                                occluders_->global(receiver.cluster, receiver.id.root),
+                                RayScene::no_polygon);
+}
+
+/// One, four or sixteen rays, by the power at stake.
+PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide& shooter,
+                                       std::span<const double> group_factors, double power,
+                                       double tolerance) {
+  QuarterRays rays{*this,
+                   receiver,
+                   shooter,
+                   group_factors,
+                   occluders_->global(receiver.cluster, receiver.id.root),
+                   Random(LinkSide::seed_of(receiver, shooter))};
+  if (power <= one_ray_share * tolerance) return rays.one();
+  PairVisibility v;
   std::uint32_t blocker = RayScene::no_polygon;
-  for (int q = 0; q < 4; ++q) {
-    const bool seen = ray_open(point(q), skip, shooter, (q * 3 + 1) % 4, random, &blocker);
-    v.at[static_cast<std::size_t>(q)] = seen ? 1.0 : 0.0;
-    open += seen ? 1 : 0;
-  }
-  const bool unanimous = open == 0 || open == 4;
-  if (0.25 * power <= tolerance) {
-    const double share = open / 4.0;
-    v.fill(share);
-    v.within = unanimous ? 0.1 : 0.25;
+  const int open_of_four = rays.four(v, blocker);
+  const bool agree = open_of_four == 0 || open_of_four == 4;
+  if (four_rays_uncertainty * power <= tolerance) {
+    v.fill(open_of_four / 4.0);
+    v.uncertainty = agree ? agreeing_uncertainty : four_rays_uncertainty;
     return v;
   }
-  if (unanimous && !shooter.is_group() && method_ == VisibilityMethod::exact) {
-    ++work_->shafts;
-    const std::uint32_t skip_shooter = shooter.is_light()
-                                           ? RayScene::no_polygon
-                                           : occluders_->global(shooter.cluster, shooter.id.root);
-    const bool certain =
-        open == 4 ? shooter.is_light() && occluders_->shaft_open(receiver.corners, shooter.corners,
-                                                                 skip, skip_shooter)
-                  : occluders_->shaft_shut(receiver.corners, shooter.corners, blocker);
-    v.center = open / 4.0;
-    if (certain) return v;
+  if (agree && !shooter.is_group() && method_ == VisibilityMethod::exact) {
+    v.center = open_of_four / 4.0;
+    if (proven(receiver, shooter, open_of_four == 4, blocker)) return v;
   }
-  // Twelve more: all pairs of quarters once.
-  for (int q = 0; q < 4; ++q) {
-    for (int other = 0; other < 4; ++other) {
-      if (other == (q * 3 + 1) % 4) continue;
-      const bool seen = ray_open(point(q), skip, shooter, other, random, nullptr);
-      v.at[static_cast<std::size_t>(q)] += seen ? 1.0 : 0.0;
-      open += seen ? 1 : 0;
-    }
-    v.at[static_cast<std::size_t>(q)] /= 4.0;
-  }
+  const int open = rays.sixteen(v, open_of_four);
   v.center = open / 16.0;
-  // Laplace's rule of succession for a proportion seen in 16 trials.
-  const double p = (open + 0.5) / 17.0;
-  v.within = open == 0 || open == 16 ? p < 0.5 ? p : 1.0 - p : std::sqrt(p * (1.0 - p) / 16.0);
+  v.uncertainty = uncertainty_of_16(open);
   return v;
 }
 
-/// Between the parts of two sides that face each other: a ray to the part that lies behind the
-/// other's plane would say nothing, or come through the receiver's own back.
-LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
-                                                    const LinkSide& shooter, double power,
-                                                    double tolerance) {
-  if (!shooter.is_patch()) return by_rays(receiver, shooter, power, tolerance);
+/// Between the parts of two patches that face each other: rays to a part behind the other patch's
+/// plane carry no light, or come through the back of the receiver's own polygon.
+PairVisibility LinkVisibility::of(const LinkSide& receiver, const LinkSide& shooter,
+                                  std::span<const double> group_factors, double power,
+                                  double tolerance) {
+  if (!shooter.is_patch()) return by_rays(receiver, shooter, group_factors, power, tolerance);
   const Plane receives = receiver.plane(), shoots = shooter.plane();
-  const double slack_m = 1e-9 * (receiver.radius + shooter.radius);
+  const double slack_m = 1e-9 * (receiver.radius + shooter.radius);  // rounding
   const auto straddles = [&](const Polygon& corners, const Plane& plane) {
     return std::any_of(corners.begin(), corners.end(),
                        [&](const Vec3& p) { return plane.signed_distance(p) < -slack_m; });
@@ -154,26 +184,25 @@ LinkEstimator::Visibility LinkEstimator::visibility(const LinkSide& receiver,
     facing_shooter = shooter.before(receives);
     from = &facing_shooter;
   }
-  if (0.25 * power > tolerance && method_ == VisibilityMethod::exact) {
-    if (find_between(*to, *from) && between_.size() <= most_occluders) {
-      Visibility v;
-      if (between_.empty()) return v;
-      for (const std::uint32_t occluder : between_) {
-        if (!occluders_->shaft_shut(to->corners, from->corners, occluder)) continue;
-        v.fill(0.0);
-        return v;
-      }
-      if (by_parts(receiver, shooter, v)) return v;
+  if (four_rays_uncertainty * power > tolerance && method_ == VisibilityMethod::exact &&
+      find_between(*to, *from) && between_.size() <= most_occluders) {
+    PairVisibility v;
+    if (between_.empty()) return v;
+    if (one_hides_all(*to, *from)) {
+      v.fill(0.0);
+      return v;
     }
+    if (const auto exact = by_parts(receiver, shooter)) return *exact;
   }
-  return by_rays(*to, *from, power, tolerance);
+  return by_rays(*to, *from, group_factors, power, tolerance);
 }
 
-LinkEstimator::Between LinkEstimator::between() const {
+LinkVisibility::Between LinkVisibility::between() const {
   return all_between_ ? std::make_shared<const std::vector<std::uint32_t>>(between_) : nullptr;
 }
 
-bool LinkEstimator::find_between(const LinkSide& receiver, const LinkSide& shooter) {
+/// Lists the polygons between two patches in between_; false where there are more than most_listed.
+bool LinkVisibility::find_between(const LinkSide& receiver, const LinkSide& shooter) {
   ++work_->shafts;
   const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
   const std::uint32_t other = occluders_->global(shooter.cluster, shooter.id.root);
@@ -187,90 +216,10 @@ bool LinkEstimator::find_between(const LinkSide& receiver, const LinkSide& shoot
   return all_between_;
 }
 
-/// Leaves in parts_ what x sees of the shooter past all that stands between; false where that is
-/// too many parts.
-bool LinkEstimator::cut_parts(const Vec3& x, const LinkSide& shooter) {
-  ++work_->form_factors;
-  parts_.begin(x, shooter.corners, occluders_->tolerance_m());
-  for (const std::uint32_t occluder : between_) {
-    if (!parts_.hide(occluders_->polygon(occluder))) return false;
-  }
-  return true;
-}
-
-/// Exactly at the receiver's points, its centre and its corners; what the corners see otherwise
-/// than the points foretell is its error.
-bool LinkEstimator::by_parts(const LinkSide& receiver, const LinkSide& shooter, Visibility& v) {
-  const PolygonFrame& frame = receiver.frame();
-  const PatchShape& shape = receiver.shape;
-  const std::array<Vec2, 4> points = shape.quadrature();
-  double any_hidden = 0.0, any_seen = 0.0;
-  // Returns the factor that is hidden from x; `seen` is the rest.
-  const auto look = [&](const Vec3& x, double& seen) {
-    const double whole = point_to_polygon(x, frame.n, shooter.corners);
-    seen = 0.0;
-    if (whole <= 0.0) return 0.0;
-    if (!cut_parts(x, shooter)) return -1.0;
-    seen = std::min(whole, parts_.factor(frame.n));
-    any_seen = std::max(any_seen, seen);
-    const double hidden = whole - seen <= 1e-9 * whole ? 0.0 : whole - seen;
-    any_hidden = std::max(any_hidden, hidden);
-    return hidden;
-  };
-  std::array<double, 4> hidden{};
-  double seen = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec3 x = frame.at(points[k]);
-    hidden[k] = look(x, seen);
-    if (hidden[k] < 0.0) return false;
-    v.at[k] = hidden[k] > 0.0 ? seen / (seen + hidden[k]) : 1.0;
-    if (hidden[k] <= 0.0 || seen <= 0.0) continue;
-    v.partial[k] = true;
-    v.seen_from[k] = mean_place(parts_, x, frame.n, shooter.frame()) - shooter.shape.centroid;
-  }
-  const double hidden_center = look(receiver.center, seen);
-  if (hidden_center < 0.0) return false;
-  v.center = hidden_center > 0.0 ? seen / (seen + hidden_center) : 1.0;
-
-  const double mean = 0.25 * (hidden[0] + hidden[1] + hidden[2] + hidden[3]);
-  const double slope1 = 0.25 * (hidden[1] + hidden[3] - hidden[0] - hidden[2]);
-  const double slope2 = 0.25 * (hidden[2] + hidden[3] - hidden[0] - hidden[1]);
-  const Vec2 e1 = shape.long_axis(), e2{-e1.y, e1.x}, s = shape.deviations();
-  double off = 0.0;
-  for (const Vec2& vertex : shape.vertices) {
-    const Vec2 d = 0.98 * (vertex - shape.centroid);  // a corner's own walls are no occluders
-    const double h = look(frame.at(shape.centroid + d), seen);
-    if (h < 0.0) return false;
-    const double foretold =
-        mean + slope1 * glm::dot(d, e1) / s.x + (s.y > 0.0 ? slope2 * glm::dot(d, e2) / s.y : 0.0);
-    off += std::abs(h - foretold);
-  }
-  v.unfit = 0.25 * off / static_cast<double>(shape.vertices.size());
-  if (any_hidden <= 0.0) v.unfit = small_shadows(receiver, shooter);
-  if (any_seen <= 0.0) v.within = 0.02;
-  return true;
-}
-
-/// Occluders whose shadows fall between all points: the factor that each hides from the middle of
-/// its shadow, by the shadow's share of the receiver.
-double LinkEstimator::small_shadows(const LinkSide& receiver, const LinkSide& shooter) {
-  const Plane plane = receiver.plane();
-  const Vec3& y = shooter.center;
-  double sum = 0.0;
-  for (const std::uint32_t occluder : between_) {
-    const Polygon& polygon = occluders_->polygon(occluder);
-    const Vec3 toward = centroid(polygon) - y;
-    const double fall = plane.signed_distance(y), step = -glm::dot(plane.n, toward);
-    if (fall <= 0.0 || step <= 0.0 || step > fall) continue;
-    const double scale = fall / step;
-    const Vec3 x = y + scale * toward;
-    if (glm::length(x - receiver.center) > receiver.radius) continue;
-    const double whole = point_to_polygon(x, plane.n, shooter.corners);
-    if (whole <= 0.0 || !cut_parts(x, shooter)) continue;
-    const double share = std::min(1.0, area_m2(polygon) * scale * scale / receiver.area_m2);
-    sum += std::max(0.0, whole - parts_.factor(plane.n)) * share;
-  }
-  return sum;
+bool LinkVisibility::one_hides_all(const LinkSide& receiver, const LinkSide& shooter) const {
+  return std::any_of(between_.begin(), between_.end(), [&](std::uint32_t occluder) {
+    return occluders_->shaft_shut(receiver.corners, shooter.corners, occluder);
+  });
 }
 
 }  // namespace enfilade

@@ -5,7 +5,13 @@
 namespace enfilade {
 namespace {
 
-/// What the kernel, visibility and the shooter's light may vary by over the link.
+/// The receiver's error is comparable to the shooter's above this share of it.
+constexpr double comparable = 0.25;
+/// The shooter's error comes mostly from visibility where its variation makes less than this share.
+constexpr double mostly_visibility = 0.5;
+
+/// The link's estimated error: by the variation of kernel and visibility over the receiver, and of
+/// visibility and radiosity over the shooter.
 class ErrorOracle final : public RefinementOracle {
  public:
   double estimated_error(const Link& link, std::span<const float> /*transport*/,
@@ -13,7 +19,7 @@ class ErrorOracle final : public RefinementOracle {
     return link.error * shooter.light + link.variation * shooter.variation;
   }
 
-  /// The side that dominates; where visibility alone is in uncertainty, the larger one.
+  /// The side whose error dominates; where only visibility is uncertain, the larger side.
   bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                        const LinkEstimate& estimate) const override {
     const bool shooter_is_larger = shooter.radius > receiver.radius;
@@ -23,13 +29,13 @@ class ErrorOracle final : public RefinementOracle {
     if (receiver.is_group()) return !(shooter.is_group() && shooter_is_larger);
     if (shooter.is_group() && receiver_error < shooter_error) return false;
     return receiver_error > shooter_error ||
-           (receiver_error > 0.25 * shooter_error && !shooter_is_larger) ||
-           (variation_error < 0.5 * shooter_error && !shooter_is_larger);
+           (receiver_error > comparable * shooter_error && !shooter_is_larger) ||
+           (variation_error < mostly_visibility * shooter_error && !shooter_is_larger);
   }
 };
 
-/// Brightness times form factor times area: what matters much is cut finely, whether it varies or
-/// not.
+/// The power that the link carries: radiosity times form factor times area (Hanrahan, Salzman and
+/// Aupperle 1991). Refines links of high power even where nothing varies over them.
 class BrightnessOracle final : public RefinementOracle {
  public:
   double estimated_error(const Link& link, std::span<const float> transport,

@@ -1,4 +1,4 @@
-// Oracles of refinement: whether a link is good enough, and which of its sides to split if not.
+// Refinement oracles: the error of a link, and which of its sides to split if that is too large.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,19 @@
 namespace enfilade {
 
 enum class OracleKind {
-  error,                   ///< by what the estimate says may be wrong with the link
-  brightness_form_factor,  ///< BF: by the power that it carries (Hanrahan, Salzman, Aupperle 1991)
+  error,                   ///< by the link's estimated error
+  brightness_form_factor,  ///< BF: by the power that the link carries (Hanrahan, Salzman, Aupperle
+                           ///< 1991)
 };
 
 class RefinementOracle {
  public:
   virtual ~RefinementOracle() = default;
-  /// In received power (m2 times irradiance, worst band) at today's light of the shooter; a link is
-  /// refined where it is above the tolerance.
+  /// The link's error in received power (m2 times irradiance, worst band) at the shooter's current
+  /// light; a link is refined where this is above the tolerance.
   virtual double estimated_error(const Link& link, std::span<const float> transport,
                                  const PatchForest& receiver, const NodeLight& shooter) const = 0;
+  /// Whether to split the receiver, else the shooter, of a link that is refined.
   virtual bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                                const LinkEstimate& estimate) const = 0;
 };

@@ -60,8 +60,8 @@ void Occluders::find_among(std::span<const std::uint32_t> among, const Polygon& 
 const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }
 
 bool Occluders::shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const {
-  // The segments' crossings of the blocker's plane are the convex hull of the corner-to-corner
-  // ones, so it is enough that each of those lies inside the (convex) blocker.
+  // All segments cross the blocker's plane within the convex hull of the corner-to-corner
+  // crossings, so it is enough that each of these lies inside the (convex) blocker.
   const Polygon& wall = shafts_->polygon(blocker);
   const Plane plane = plane_of(wall);
   for (const Vec3& p : a) {

@@ -1,4 +1,4 @@
-// Everything that can stand between two patches, for visibility rays and shafts.
+// The occluders of a scene: all polygons, for visibility rays and shafts.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,8 @@ struct PolygonRef {
 
 class ShaftTree;
 
-/// All polygons of the given clusters; polygon k of cluster c has one global number.
+/// All polygons of the given clusters. Each has a global number: polygon k of cluster c is
+/// global(c, k).
 class Occluders {
  public:
   explicit Occluders(std::span<const Cluster> clusters);
@@ -31,26 +32,29 @@ class Occluders {
     return first_[cluster.index()] + polygon;
   }
   PolygonRef local(std::uint32_t global) const { return refs_[global]; }
-  /// True where it is certain that no polygon but skip_a and skip_b meets the convex hull of a and
-  /// b.
+  /// True where it is certain that no polygon other than skip_a and skip_b meets the convex hull of
+  /// a and b (shaft culling, Haines and Wallace 1991).
   bool shaft_open(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
                   std::uint32_t skip_b) const;
-  /// The polygons but skip_a and skip_b that meet the convex hull of a and b, into `found`; false
-  /// where there are more than `most`.
+  /// Writes the polygons other than skip_a and skip_b that meet the convex hull of a and b into
+  /// `found`; false where there are more than `most`.
   bool find_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b,
                     std::size_t most, std::vector<std::uint32_t>& found) const;
-  /// The same from what that found between two polygons of which a and b are parts.
+  /// The same search among `among`, the result of find_between for two polygons that contain a and
+  /// b.
   void find_among(std::span<const std::uint32_t> among, const Polygon& a, const Polygon& b,
                   std::uint32_t skip_a, std::uint32_t skip_b,
                   std::vector<std::uint32_t>& found) const;
   const Polygon& polygon(std::uint32_t global) const;
-  /// Nearer to a plane than this is on it, for shafts and shadows.
+  /// A point at most this far from a plane lies on the plane, for shafts and shadows.
   double tolerance_m() const { return 1e-7 * extent_m_; }
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
   /// The polygons that pass within reach_m of p, in ascending order.
   std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
+  /// The diagonal of the box around all polygons.
   double extent_m() const { return extent_m_; }
+  /// Bytes in memory, roughly.
   std::size_t bytes() const;
 
  private:

@@ -13,7 +13,7 @@ double enclosed_share(const ClusterState& cluster, const PatchNode& node, int ri
   const PolygonFrame& frame = cluster.patches().frames()[node.id.root];
   const std::uint32_t own = occluders.global(cluster.id(), node.id.root);
   Random random((std::uint64_t{own} << 32) + node.id.path);
-  // Where another polygon meets the patch's rim, a ray that starts on the rim would slip behind it.
+  // Where another polygon meets the patch's rim, a ray that starts on the rim would pass behind it.
   const double size_m = std::sqrt(node.shape.area_m2);
   const double inside = 1.0 - std::clamp(8.0 * occluders.rays().epsilon_m() / size_m, 1e-3, 0.5);
   int ended = 0;

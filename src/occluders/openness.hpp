@@ -1,4 +1,5 @@
-// How open the hemisphere above a patch is, by rays.
+// The enclosed share of a patch, by rays: the share of its cosine-weighted hemisphere that ends on
+// front sides that count. The rest is its openness.
 #pragma once
 
 #include <functional>
@@ -9,11 +10,12 @@
 
 namespace enfilade {
 
-/// Whether the front side of a polygon that a ray ends on counts.
+/// Whether a ray counts that ends on the front side of this polygon.
 using EndsRay = std::function<bool(const PolygonRef&)>;
 
-/// Share (0 .. 1) of the cosine-weighted rays from all over patch `node` that end on a front side
-/// which counts. `rings` * `rings` strata from each quarter of the patch, so 4 rings^2 rays.
+/// Share (0 .. 1) of cosine-distributed rays from random points of patch `node` that end on a front
+/// side which counts. `rings` * `rings` strata of directions from each quarter of the patch, so 4
+/// rings^2 rays.
 double enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
                       const Occluders& occluders, const EndsRay& ends, WorkCount& work);
 

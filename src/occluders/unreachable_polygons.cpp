@@ -10,40 +10,47 @@
 namespace enfilade {
 namespace {
 
-double most(const Spectrum& bands) {
+constexpr int most_sweeps = 64;
+/// Of the irradiance of all polygons, in one sweep: far below what decides.
+constexpr double converged_change = 1e-3;
+
+double largest(const Spectrum& bands) {
   return bands.empty() ? 0.0 : *std::max_element(bands.begin(), bands.end());
 }
 
-class RoughLight {
+/// The radiosity equation with one value a polygon, form factors by rays, and the largest band
+/// alone.
+class RoughSolution {
  public:
-  RoughLight(const Scene& scene, std::span<const Cluster> clusters, const Occluders& occluders,
-             WorkCount& work)
+  RoughSolution(const Scene& scene, std::span<const Cluster> clusters, const Occluders& occluders,
+                WorkCount& work)
       : lights_(scene.lights), occluders_(occluders), work_(work) {
     for (const Cluster& c : clusters) {
       for (const ClusterPolygon& p : c.polygons) {
         const Surface& surface = scene.surfaces[p.surface.index()];
-        places_.push_back({&p.polygon, normal(p.polygon), centroid(p.polygon), area_m2(p.polygon),
-                           most(surface.reflectance), most(surface.exitance)});
+        nodes_.push_back({&p.polygon, normal(p.polygon), centroid(p.polygon), area_m2(p.polygon),
+                          largest(surface.reflectance), largest(surface.exitance)});
       }
     }
-    direct_.assign(places_.size(), 0.0);
-    sees_.resize(places_.size());
-    rays_.assign(places_.size(), 0);
+    direct_.assign(nodes_.size(), 0.0);
+    row_.resize(nodes_.size());
+    rays_.assign(nodes_.size(), 0);
   }
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
-  void shine(int rays);
-  void look(std::uint32_t polygon, int rays);
-  void spread();
-  bool dim(std::uint32_t polygon, double share) const {
-    return places_[polygon].exitance <= 0.0 && irradiance_[polygon] <= share * mean_;
+  std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
+  void emit(int rays);
+  void sample_row(std::uint32_t polygon, int rays);
+  void solve();
+  /// Emits nothing, and its irradiance is at most `share` of the mean.
+  bool nearly_unlit(std::uint32_t polygon, double share) const {
+    return nodes_[polygon].exitance <= 0.0 && irradiance_[polygon] <= share * mean_;
   }
-  bool sees_a_lamp(std::uint32_t polygon) const;
+  bool sees_an_emitter(std::uint32_t polygon) const;
 
  private:
-  struct Place {
+  struct Node {
     const Polygon* polygon;
-    Vec3 n, middle;
+    Vec3 n, center;
     double area_m2, reflectance, exitance;
   };
   RayHit cast(std::uint32_t polygon, double r2, Random& random) const;
@@ -51,40 +58,41 @@ class RoughLight {
   std::span<const PointLight> lights_;
   const Occluders& occluders_;
   WorkCount& work_;
-  std::vector<Place> places_;
+  std::vector<Node> nodes_;
   std::vector<double> direct_, irradiance_;
-  std::vector<std::vector<std::uint32_t>> sees_;  ///< front sides that the polygon's rays end on
-  std::vector<int> rays_;
-  double mean_ = 0.0;
+  /// Per polygon: the polygons on whose front sides its rays ended, once a ray.
+  std::vector<std::vector<std::uint32_t>> row_;
+  std::vector<int> rays_;  ///< per polygon, cast so far
+  double mean_ = 0.0;      ///< irradiance, by area
 };
 
-/// A ray from anywhere on the polygon, its direction by the cosine.
-RayHit RoughLight::cast(std::uint32_t polygon, double r2, Random& random) const {
-  const Place& place = places_[polygon];
-  // A ray that starts on the rim would slip behind a polygon that meets it there.
+/// A ray from a uniformly random point of the polygon in a cosine-distributed direction.
+RayHit RoughSolution::cast(std::uint32_t polygon, double r2, Random& random) const {
+  const Node& node = nodes_[polygon];
+  // A ray that starts on the rim would pass behind a polygon that meets it there.
   const double inside = 1.0 - std::clamp(8.0 * occluders_.rays().epsilon_m() /
-                                             std::sqrt(std::max(place.area_m2, 1e-30)),
+                                             std::sqrt(std::max(node.area_m2, 1e-30)),
                                          1e-3, 0.5);
-  const Vec3 any = random_point(*place.polygon, random);
+  const Vec3 any = random_point(*node.polygon, random);
   ++work_.rays;
-  return occluders_.rays().closest(place.middle + inside * (any - place.middle),
-                                   cosine_direction(place.n, r2, random.uniform()), polygon);
+  return occluders_.rays().closest(node.center + inside * (any - node.center),
+                                   cosine_direction(node.n, r2, random.uniform()), polygon);
 }
 
-/// Light of the lamps, carried along rays from them.
-void RoughLight::shine(int rays) {
+/// Direct irradiance: rays from every emitting polygon and every point light.
+void RoughSolution::emit(int rays) {
   const auto arrive = [this](const RayHit& hit, double power) {
-    if (hit.any() && hit.front) direct_[hit.polygon] += power / places_[hit.polygon].area_m2;
+    if (hit.any() && hit.front) direct_[hit.polygon] += power / nodes_[hit.polygon].area_m2;
   };
   for (std::uint32_t k = 0; k < size(); ++k) {
-    if (places_[k].exitance <= 0.0) continue;
+    if (nodes_[k].exitance <= 0.0) continue;
     Random random(std::uint64_t{k} << 32);
-    const double power = places_[k].area_m2 * places_[k].exitance / rays;
+    const double power = nodes_[k].area_m2 * nodes_[k].exitance / rays;
     for (int i = 0; i < rays; ++i) arrive(cast(k, (i + random.uniform()) / rays, random), power);
   }
   for (const PointLight& light : lights_) {
     Random random(size());
-    const double power = 4.0 * std::numbers::pi * most(light.intensity) / rays;
+    const double power = 4.0 * std::numbers::pi * largest(light.intensity) / rays;
     for (int i = 0; i < rays; ++i) {
       const double z = 2.0 * (i + random.uniform()) / rays - 1.0;
       ++work_.rays;
@@ -93,51 +101,53 @@ void RoughLight::shine(int rays) {
   }
 }
 
-void RoughLight::look(std::uint32_t polygon, int rays) {
+/// Casts rays that estimate the polygon's row of form factors.
+void RoughSolution::sample_row(std::uint32_t polygon, int rays) {
   Random random((std::uint64_t{polygon} << 32) + static_cast<std::uint64_t>(rays));
   for (int i = 0; i < rays; ++i) {
     const RayHit hit = cast(polygon, (i + random.uniform()) / rays, random);
-    if (hit.any() && hit.front) sees_[polygon].push_back(hit.polygon);
+    if (hit.any() && hit.front) row_[polygon].push_back(hit.polygon);
   }
   rays_[polygon] += rays;
 }
 
-/// Gauss-Seidel, one way and the other, until light has been everywhere.
-void RoughLight::spread() {
+/// Symmetric Gauss-Seidel (sweeps up and down in turn) until the irradiance changes little.
+void RoughSolution::solve() {
   irradiance_ = direct_;
-  for (int sweep = 0; sweep < 64; ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double power = 0.0, area = 0.0, change = 0.0;
     for (std::uint32_t i = 0; i < size(); ++i) {
       const std::uint32_t k = sweep % 2 == 0 ? i : size() - 1 - i;
       double sum = 0.0;
-      for (const std::uint32_t other : sees_[k])
-        sum += places_[other].reflectance * irradiance_[other];
+      for (const std::uint32_t other : row_[k])
+        sum += nodes_[other].reflectance * irradiance_[other];
       const double e = direct_[k] + (rays_[k] > 0 ? sum / rays_[k] : 0.0);
-      change += places_[k].area_m2 * std::abs(e - irradiance_[k]);
+      change += nodes_[k].area_m2 * std::abs(e - irradiance_[k]);
       irradiance_[k] = e;
-      power += places_[k].area_m2 * e;
-      area += places_[k].area_m2;
+      power += nodes_[k].area_m2 * e;
+      area += nodes_[k].area_m2;
     }
     mean_ = area > 0.0 ? power / area : 0.0;
-    if (change <= 1e-3 * power) break;
+    if (change <= converged_change * power) break;
   }
 }
 
-bool RoughLight::sees_a_lamp(std::uint32_t polygon) const {
-  const Place& place = places_[polygon];
-  const auto open = [&](const Vec3& y, std::uint32_t lamp) {
+/// From its centroid, the place of a point light or the centroid of an emitting polygon.
+bool RoughSolution::sees_an_emitter(std::uint32_t polygon) const {
+  const Node& node = nodes_[polygon];
+  const auto open = [&](const Vec3& y, std::uint32_t emitter) {
     ++work_.rays;
-    return !occluders_.rays().occluded(place.middle, y, polygon, lamp);
+    return !occluders_.rays().occluded(node.center, y, polygon, emitter);
   };
   for (const PointLight& light : lights_) {
-    if (glm::dot(place.n, light.p - place.middle) > 0.0 && open(light.p, RayScene::no_polygon))
+    if (glm::dot(node.n, light.p - node.center) > 0.0 && open(light.p, RayScene::no_polygon))
       return true;
   }
   for (std::uint32_t k = 0; k < size(); ++k) {
-    const Place& lamp = places_[k];
-    if (k == polygon || lamp.exitance <= 0.0) continue;
-    const Vec3 d = lamp.middle - place.middle;
-    if (glm::dot(place.n, d) > 0.0 && glm::dot(lamp.n, d) < 0.0 && open(lamp.middle, k))
+    const Node& emitter = nodes_[k];
+    if (k == polygon || emitter.exitance <= 0.0) continue;
+    const Vec3 d = emitter.center - node.center;
+    if (glm::dot(node.n, d) > 0.0 && glm::dot(emitter.n, d) < 0.0 && open(emitter.center, k))
       return true;
   }
   return false;
@@ -147,27 +157,28 @@ bool RoughLight::sees_a_lamp(std::uint32_t polygon) const {
 
 std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Cluster> clusters,
                                        const Occluders& occluders, WorkCount& work,
-                                       const DarkConfig& config) {
-  RoughLight light(scene, clusters, occluders, work);
-  const std::uint32_t n = light.size();
-  std::vector<char> dark(n, 0);
-  if (n == 0) return dark;
-  light.shine(std::max(config.more_rays, config.least_rays / static_cast<int>(n)));
+                                       const UnreachablePolygonsConfig& config) {
+  RoughSolution rough(scene, clusters, occluders, work);
+  const std::uint32_t n = rough.size();
+  std::vector<char> unreachable(n, 0);
+  if (n == 0) return unreachable;
+  rough.emit(std::max(config.more_rays, config.least_rays / static_cast<int>(n)));
   const int rays = std::max(config.rays, config.least_rays / static_cast<int>(n));
-  for (std::uint32_t k = 0; k < n; ++k) light.look(k, rays);
-  light.spread();
-  std::vector<std::uint32_t> dim;
+  for (std::uint32_t k = 0; k < n; ++k) rough.sample_row(k, rays);
+  rough.solve();
+  std::vector<std::uint32_t> candidates;
   for (std::uint32_t k = 0; k < n; ++k) {
-    if (light.dim(k, config.share)) dim.push_back(k);
+    if (rough.nearly_unlit(k, config.share)) candidates.push_back(k);
   }
-  if (dim.empty()) return dark;
-  const int more = std::max(config.more_rays, config.least_rays / static_cast<int>(dim.size()));
-  for (const std::uint32_t k : dim) light.look(k, more);
-  light.spread();
-  for (const std::uint32_t k : dim) {
-    dark[k] = light.dim(k, config.share) && !light.sees_a_lamp(k) ? 1 : 0;
+  if (candidates.empty()) return unreachable;
+  const int more =
+      std::max(config.more_rays, config.least_rays / static_cast<int>(candidates.size()));
+  for (const std::uint32_t k : candidates) rough.sample_row(k, more);
+  rough.solve();
+  for (const std::uint32_t k : candidates) {
+    unreachable[k] = rough.nearly_unlit(k, config.share) && !rough.sees_an_emitter(k) ? 1 : 0;
   }
-  return dark;
+  return unreachable;
 }
 
 }  // namespace enfilade

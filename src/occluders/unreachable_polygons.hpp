@@ -1,5 +1,5 @@
-// Which polygons no light to speak of can reach: the insides of walls and of furniture. Nobody
-// looks for their light, and none is left there by links that were coarse at first.
+// Which polygons no light can reach: those inside walls and furniture. No light is gathered for
+// them, and coarse first links leave none on them.
 #pragma once
 
 #include <span>
@@ -12,19 +12,21 @@
 
 namespace enfilade {
 
-struct DarkConfig {
-  double share = 1e-4;  ///< of the scene's mean irradiance: less is dark
-  /// Rays a polygon at first, and once more where it seems dark. Few polygons get more: an opening
-  /// that all rays from a hollow miss must be small.
+struct UnreachablePolygonsConfig {
+  /// Of the scene's mean irradiance: a polygon with less, and without exitance, is a candidate.
+  double share = 1e-4;
+  /// Rays a polygon at first, and more for each candidate. The fewer polygons there are, the more
+  /// rays each has (least_rays), so that an opening of a hollow that all rays miss must be small.
   int rays = 16, more_rays = 128;
-  int least_rays = 1 << 17;  ///< all polygons together, and the same for those that seem dark
+  int least_rays = 1 << 17;  ///< all polygons together, and again all candidates together
 };
 
-/// One entry a polygon, by its global number in `occluders`: 1 = dark. A rough solution of the
-/// radiosity equation, one value a polygon: lamps shine along rays of their own, all else is
-/// gathered along rays. No polygon is dark that emits or that sees the middle of a lamp.
+/// One entry a polygon, by its global number in `occluders`: 1 = unreachable, no light can reach
+/// it. By a rough solution of the radiosity equation: one value a polygon, direct light by rays
+/// from the emitters, form factors by rays. A polygon that emits, or that sees an emitter's
+/// centroid or a point light, is never unreachable.
 std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Cluster> clusters,
                                        const Occluders& occluders, WorkCount& work,
-                                       const DarkConfig& config = {});
+                                       const UnreachablePolygonsConfig& config = {});
 
 }  // namespace enfilade

@@ -13,7 +13,7 @@ namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> magic = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;  // 2: links without padding (cluster_codec.hpp)
 
 /// As it lies in the file, in the byte order of the machine.
 struct Header {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "hierarchy/patch.hpp"
+#include "hierarchy/patch_forest.hpp"
 
 namespace enfilade {
 

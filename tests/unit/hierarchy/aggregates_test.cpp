@@ -29,7 +29,7 @@ TEST(Aggregates, CutTheHierarchyInOrder) {
       next = range.end;
     }
     EXPECT_EQ(next, most);
-    // What lies in a aggregate is that aggregate's; what several share, by area.
+    // A node within one aggregate has only that one; power is divided among several by area.
     const Aggregates::Range whole = aggregates.of(f, {0, 1});
     EXPECT_EQ(whole.size(), most == 12 ? 2u : 1u);
     EXPECT_EQ(aggregates.of(f, {0, 0b1011}).size(), 1u);
@@ -37,7 +37,7 @@ TEST(Aggregates, CutTheHierarchyInOrder) {
     std::vector<double> sums(most, 0.0);
     aggregates.add(f, {0, 1}, power, sums);
     EXPECT_NEAR(sums[whole.begin], most == 12 ? 3.0 : 6.0, 1e-12);
-    // A correction of each aggregate's own share leaves the rest as it was.
+    // A correction of one aggregate leaves the others unchanged.
     f.subdivide(0);
     std::vector<double> gathered(f.size(), 0.0);
     std::fill_n(gathered.begin(), f.polygons(), 1.0);
@@ -54,13 +54,13 @@ TEST(Aggregates, CutTheHierarchyInOrder) {
   }
 }
 
-TEST(Aggregates, AnAddedShareKeepsTheDarkDark) {
+TEST(Aggregates, AnAddedShareLeavesUnlitLeavesUnlit) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.5}, {0.0, 0.0});
   ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
   PatchForest& f = state.patches();
   const std::size_t child = f.subdivide(0);
   std::vector<double> gathered(f.size() * 2, 0.0);
-  gathered[child * 2] = 6.0;  // band 0: one half lit, the other dark
+  gathered[child * 2] = 6.0;  // band 0: one half lit, the other unlit
   gathered[child * 2 + 1] = 6.0;
   gathered[(child + 1) * 2 + 1] = 4.0;  // band 1: nearly even, 5 in the mean
   f.push_pull(gathered);
@@ -68,13 +68,13 @@ TEST(Aggregates, AnAddedShareKeepsTheDarkDark) {
   EXPECT_EQ(f.irradiance(child + 1)[0], 0.0);
   EXPECT_NEAR(f.irradiance(child)[0], 12.0, 1e-12);
   EXPECT_NEAR(f.irradiance(0)[0], 6.0, 1e-12);
-  // Four fifths of the 5 all over, and a fifth of what is there.
+  // Four fifths of the mean, 5, added uniformly, and a fifth of each leaf's own irradiance.
   EXPECT_NEAR(f.irradiance(child)[1], 6.0 + 4.0 + 1.2, 1e-12);
   EXPECT_NEAR(f.irradiance(child + 1)[1], 4.0 + 4.0 + 0.8, 1e-12);
   EXPECT_NEAR(f.radiosity(0)[1], 5.0, 1e-12);
 }
 
-TEST(AggregateFlow, SharesALinkOutByAreaAndByWhatIsReflected) {
+TEST(AggregateFlow, DividesALinkByAreaAndByReflectedPower) {
   const Scene scene = testing::box_room({0, 0, 0}, {2, 2, 2}, {0.5}, {1.0});
   const std::vector<Cluster> clusters = testing::clusters_of(scene);
   ClusterState receiver(clusters[0], scene, Basis::constant, 4);

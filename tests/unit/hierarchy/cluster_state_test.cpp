@@ -29,7 +29,7 @@ TEST(ClusterState, SurvivesItsFile) {
   }
 }
 
-/// A replay takes the memory that was recorded for one that was read.
+/// A replay counts the memory that was recorded for a cluster that had been read.
 TEST(ClusterState, TakesAsMuchMemoryWhenItIsRead) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
   for (const std::size_t aggregates : {1u, 11u}) {

@@ -7,7 +7,7 @@
 namespace enfilade {
 namespace {
 
-std::vector<char> dark_in(const Scene& scene) {
+std::vector<char> unreachable_in(const Scene& scene) {
   const std::vector<Cluster> clusters = testing::clusters_of(scene);
   const Occluders occluders(clusters);
   WorkCount work;
@@ -29,33 +29,33 @@ Scene room_with_hollow_box(double gap_m) {
   return scene;
 }
 
-TEST(UnreachablePolygons, InsideOfAClosedBoxIsDarkAndNothingElse) {
-  const std::vector<char> dark = dark_in(room_with_hollow_box(0.0));
-  for (std::size_t k = 0; k < dark.size(); ++k) EXPECT_EQ(dark[k], k >= 12 ? 1 : 0) << k;
+TEST(UnreachablePolygons, OnlyTheInsideOfAClosedBoxIsUnreachable) {
+  const std::vector<char> found = unreachable_in(room_with_hollow_box(0.0));
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k], k >= 12 ? 1 : 0) << k;
 }
 
-TEST(UnreachablePolygons, ABoxThatStandsOpenByAHandIsNot) {
-  for (const char d : dark_in(room_with_hollow_box(0.1))) EXPECT_EQ(d, 0);
+TEST(UnreachablePolygons, TheInsideOfABoxWithAGapIsReachable) {
+  for (const char d : unreachable_in(room_with_hollow_box(0.1))) EXPECT_EQ(d, 0);
 }
 
-/// No ray of the plate's own finds a lamp so small and far, nor any of the lamp's the plate.
-TEST(UnreachablePolygons, ASmallLampFarAwayIsSeen) {
+/// The emitter is so small and far that no random ray from either polygon hits the other.
+TEST(UnreachablePolygons, APolygonThatSeesASmallFarEmitterIsReachable) {
   Scene scene = testing::box_room({0, 0, 0}, {1, 1, 1}, {0.0}, {0.0});
   scene.surfaces.resize(2);
   for (Vec3& v : scene.surfaces[1].vertices) v = Vec3(0.001 * v.x, 0.001 * v.y, 300.0);
   scene.surfaces[1].exitance = {1.0};
-  const std::vector<char> dark = dark_in(scene);
-  EXPECT_EQ(dark[0], 0);
-  EXPECT_EQ(dark[1], 0) << "a lamp is never dark";
+  const std::vector<char> found = unreachable_in(scene);
+  EXPECT_EQ(found[0], 0);
+  EXPECT_EQ(found[1], 0) << "an emitter is never unreachable";
 }
 
-TEST(UnreachablePolygons, APointLightLightsItsRoomOnly) {
+TEST(UnreachablePolygons, APointLightReachesItsRoomOnly) {
   Scene scene = testing::box_room({0, 0, 0}, {4, 5, 3}, {0.5}, {0.0});
   const Scene other = testing::box_room({10, 0, 0}, {14, 5, 3}, {0.5}, {0.0});
   scene.surfaces.insert(scene.surfaces.end(), other.surfaces.begin(), other.surfaces.end());
   scene.lights.push_back({{2, 2, 2}, {100.0}});
-  const std::vector<char> dark = dark_in(scene);
-  for (std::size_t k = 0; k < dark.size(); ++k) EXPECT_EQ(dark[k], k >= 6 ? 1 : 0) << k;
+  const std::vector<char> found = unreachable_in(scene);
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k], k >= 6 ? 1 : 0) << k;
 }
 
 }  // namespace

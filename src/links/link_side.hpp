@@ -1,0 +1,50 @@
+// A node of a hierarchy, or a point light, as one side of a link: its geometry and the light that
+// it sends.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/polygon.hpp"
+#include "hierarchy/cluster_state.hpp"
+
+namespace enfilade {
+
+/// What a node sends.
+struct NodeLight {
+  double light = 0.0;      ///< mean radiosity, worst band (a point light's intensity)
+  double variation = 0.0;  ///< RMS variation around the mean, worst band
+
+  /// Of a node; a patch that has not been made sends its ancestor's light.
+  static NodeLight of(const PatchForest& forest, PatchId id);
+  static NodeLight of(const PointLight& light);
+};
+
+/// One side of a link. A patch that its owner has not made is cut out of its ancestor here, with
+/// the ancestor's light.
+struct LinkSide : NodeLight {
+  const PatchForest* forest = nullptr;  ///< null: a point light
+  ClusterId cluster;
+  PatchId id;
+  PatchShape shape;  ///< of a patch
+  Polygon corners;   ///< of a patch in space; of a point light its place
+  Vec3 center{0.0};
+  double radius = 0.0;  ///< of a ball around the centre that contains the side, metres
+  double area_m2 = 0.0;
+
+  bool is_light() const { return forest == nullptr; }
+  bool is_group() const { return forest != nullptr && id.is_group(); }
+  bool is_patch() const { return forest != nullptr && !id.is_group(); }
+  const PolygonFrame& frame() const { return forest->frames()[id.root]; }
+  Plane plane() const { return {frame().n, glm::dot(frame().n, frame().origin)}; }
+  const GroupNode& group() const { return forest->groups()[id.group()]; }
+  /// A patch's part in front of the plane; the patch itself where all of it is in front.
+  LinkSide before(const Plane& plane) const;
+  bool same_node(const LinkSide& o) const { return cluster == o.cluster && id == o.id; }
+
+  /// The seed of the random numbers for a pair of sides: a function of their names alone.
+  static std::uint64_t seed_of(const LinkSide& a, const LinkSide& b);
+  static LinkSide of(const PatchForest& forest, ClusterId cluster, PatchId id);
+  static LinkSide of(const PointLight& light, std::uint32_t number);
+};
+
+}  // namespace enfilade

@@ -1,0 +1,83 @@
+#include "hierarchy/patch_forest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/gather/box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+/// For every inner node: mean of its children = its own value, and an affine light survives the
+/// round trip.
+TEST(PatchForest, PushPullIsConsistentAndExactForAffineLight) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.9}, {1.0, 0.0});
+  for (const Basis basis : {Basis::constant, Basis::linear}) {
+    ClusterState state(testing::clusters_of(scene)[0], scene, basis);
+    PatchForest& f = state.patches();
+    const std::size_t child = f.subdivide(0);
+    f.subdivide(child);
+    f.subdivide(child + 1);
+    const auto terms = static_cast<std::size_t>(f.terms());
+    std::vector<double> gathered(f.size() * 2 * terms, 0.0);
+    gathered[0] = 2.0;  // band 0 at the polygon
+    if (terms == 3) {
+      gathered[1] = 0.7;
+      gathered[2] = -0.3;
+    }
+    gathered[(child * 2 + 1) * terms] = 5.0;  // band 1 at one child only
+    f.push_pull(gathered);
+    for (std::size_t n = 0; n < f.size(); ++n) {
+      if (f.node(n).leaf()) continue;
+      for (std::size_t b = 0; b < 2; ++b) {
+        double mean = 0.0;
+        for (std::size_t c = 0; c < 2; ++c) {
+          const std::size_t k = static_cast<std::size_t>(f.node(n).first_child) + c;
+          mean += f.node(k).shape.area_m2 * f.radiosity(k)[b * terms];
+        }
+        EXPECT_NEAR(mean / f.node(n).shape.area_m2, f.radiosity(n)[b * terms], 1e-12);
+      }
+    }
+    EXPECT_NEAR(f.irradiance(0)[0], 2.0, 1e-12);
+    EXPECT_NEAR(f.radiosity(0)[0], 1.0 + 0.5 * 2.0, 1e-12);
+    EXPECT_NEAR(f.irradiance(0)[terms], 2.5, 1e-12);  // half of it has 5
+    if (terms == 3) {
+      EXPECT_NEAR(f.irradiance(0)[1], 0.7, 1e-12);
+    }
+    EXPECT_GT(f.deviation(0), 0.1);  // the jump between the halves
+    EXPECT_NEAR(f.deviation(child), 0.0, 1e-7);
+  }
+}
+
+TEST(PatchForest, AGroupSendsTheMeanOfItsPolygonsByArea) {
+  Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5, 0.2}, {1.0, 0.0});
+  testing::add_block(scene, {1, 0.5, 0}, {1.5, 1, 0.6}, {0.4, 0.4}, {0.0, 1.0});
+  scene.surfaces.back().exitance = {4.0, 2.0};
+  const ClusterState state(testing::clusters_of(scene).back(), scene, Basis::linear);
+  const PatchForest& f = state.patches();
+  ASSERT_TRUE(f.root().is_group());
+  double area = 0.0, power[2] = {0.0, 0.0};
+  for (std::size_t k = 0; k < f.polygons(); ++k) {
+    area += f.node(k).shape.area_m2;
+    for (std::size_t b = 0; b < 2; ++b)
+      power[b] += f.node(k).shape.area_m2 * f.frames()[k].exitance[b];
+  }
+  const ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches), {});
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_NEAR(f.exitance(f.root(), b), power[b] / area, 1e-12);
+    EXPECT_EQ(copy.patches().exitance(f.root(), b), f.exitance(f.root(), b));
+  }
+  EXPECT_EQ(f.exitance({0, 0b101}, 0), f.frames()[0].exitance[0]);
+}
+
+TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
+  PatchForest& f = state.patches();
+  const std::size_t child = f.subdivide(0);
+  EXPECT_EQ(f.find({0, 1}), 0u);
+  EXPECT_EQ(f.find({0, 0b11}), child + 1);
+  EXPECT_EQ(f.find({0, 0b1101}), child + 1);
+}
+
+}  // namespace
+}  // namespace enfilade
