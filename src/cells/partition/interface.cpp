@@ -1,3 +1,4 @@
+// Each cut's cross-section is pushed down both subtrees, and its covering polygons are cut out.
 #include "cells/partition/interface.hpp"
 
 #include <algorithm>
@@ -41,12 +42,6 @@ std::vector<LeafPart> push_to_leaves(const BspTree& tree, std::int32_t root, Pol
   return parts;
 }
 
-double total_area(const std::vector<Polygon>& polygons) {
-  double sum = 0.0;
-  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
-  return sum;
-}
-
 void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
   std::erase_if(polygons, [&](const Polygon& polygon) {
     return polygon.size() < 3 || area_m2(polygon) <= sliver_m * diameter(polygon);
@@ -56,7 +51,7 @@ void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
 // Cuts the covering polygons of one facing away from `openings`; returns the area that they cover.
 double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
              double sliver_m) {
-  const double before = total_area(openings);
+  const double before = total_area_m2(openings);
   for (const InPlane* in_plane : covers) {
     if (in_plane->same_facing != facing || openings.empty()) continue;
     std::vector<Polygon> left;
@@ -72,10 +67,16 @@ double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& 
     drop_slivers(left, sliver_m);
     openings = std::move(left);
   }
-  return before - total_area(openings);
+  return before - total_area_m2(openings);
 }
 
 }  // namespace
+
+double total_area_m2(const std::vector<Polygon>& polygons) {
+  double sum = 0.0;
+  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
+  return sum;
+}
 
 std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m) {
   std::vector<LeafInterface> all;
@@ -98,13 +99,13 @@ std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m)
         for (const InPlane& in_plane : cut.covered_by) {
           if (in_plane.box.overlaps(box, sliver_m)) near.push_back(&in_plane);
         }
-        // Once per facing for what each side sees, then both for what nothing covers.
+        // One facing at a time for the area that each side sees; then both, for the openings.
         face.openings = {common};
         face.faces_front_m2 = cover(face.openings, near, true, sliver_m);
         std::vector<Polygon> rest = {std::move(common)};
         face.faces_back_m2 = cover(rest, near, false, sliver_m);
         cover(face.openings, near, false, sliver_m);
-        face.open_m2 = total_area(face.openings);
+        face.open_m2 = total_area_m2(face.openings);
         all.push_back(std::move(face));
       }
     }

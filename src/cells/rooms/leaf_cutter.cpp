@@ -1,3 +1,4 @@
+// Splitting a leaf: its region, its node, its interfaces, and the new face between the two parts.
 #include "cells/rooms/leaf_cutter.hpp"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ std::pair<double, double> reach(const Region& region, const Plane& plane) {
     }
   }
   return {lowest, highest};
-}
-
-double total_area(const std::vector<Polygon>& polygons) {
-  double sum = 0.0;
-  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
-  return sum;
 }
 
 }  // namespace
@@ -125,7 +120,7 @@ LeafCutter::Split LeafCutter::cut(std::uint32_t leaf, std::uint32_t plane_number
   face.n = plane.n;
   face.area_m2 = area_m2(made.section);
   face.openings = open_parts(made);
-  face.open_m2 = total_area(face.openings);
+  face.open_m2 = total_area_m2(face.openings);
   add_interface(std::move(face));
   tree.cuts.push_back(std::move(made));
   return {true, front, leaf};
@@ -155,7 +150,7 @@ void LeafCutter::add_interface(LeafInterface face) {
   space_.interfaces.push_back(std::move(face));
 }
 
-// What the leaf touched, the part behind touches now, the part in front, or each of them a part of.
+// Each opening of the leaf goes to the part behind, to the part in front, or is split between them.
 void LeafCutter::split_interfaces(std::uint32_t leaf, std::uint32_t front,
                                   std::uint32_t plane_number) {
   const Plane plane = space_.planes.planes[plane_number];
@@ -172,7 +167,7 @@ void LeafCutter::split_interfaces(std::uint32_t leaf, std::uint32_t front,
     }
     const double framed_share = before.open_m2 > 0.0 ? before.framed_m2 / before.open_m2 : 0.0;
     for (LeafInterface* half : {&before, &behind}) {
-      half->open_m2 = total_area(half->openings);
+      half->open_m2 = total_area_m2(half->openings);
       half->framed_m2 = framed_share * half->open_m2;
     }
     (before.front_leaf == leaf ? before.front_leaf : before.back_leaf) = front;
