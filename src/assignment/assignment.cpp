@@ -1,3 +1,4 @@
+// The methods by name; round robin; empty parts are filled.
 #include "assignment/assignment.hpp"
 
 #include <algorithm>
@@ -22,14 +23,14 @@ std::vector<Rank> round_robin(std::size_t nodes, int parts) {
   return owner;
 }
 
-/// Neighbours of `node` that have its owner.
+/// Number of neighbours of `node` that have its owner.
 std::size_t ties(const ClusterGraph& graph, const std::vector<Rank>& owner, std::size_t node) {
   const auto row = graph.neighbours(node);
   return static_cast<std::size_t>(std::count_if(
       row.begin(), row.end(), [&](std::uint32_t to) { return owner[to] == owner[node]; }));
 }
 
-/// Every empty part takes the least tied node of the largest part.
+/// Every empty part takes, of the largest part's nodes, the one with the fewest neighbours there.
 void fill_empty_parts(const ClusterGraph& graph, std::vector<Rank>& owner, int parts) {
   std::vector<std::size_t> size(static_cast<std::size_t>(parts), 0);
   for (Rank r : owner) ++size[static_cast<std::size_t>(r.value)];
@@ -69,7 +70,7 @@ std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& we
   ENFILADE_CHECK(config.parts >= 1, std::to_string(config.parts));
   ENFILADE_CHECK(weights.size() == 0 || weights.size() == graph.size(),
                  std::to_string(weights.size()));
-  // With no more clusters than ranks, one each is all that can be done.
+  // No more clusters than ranks: one each.
   if (graph.size() <= static_cast<std::size_t>(config.parts)) {
     return round_robin(graph.size(), config.parts);
   }

@@ -1,5 +1,5 @@
-// Clusters to ranks: G_val, figure 1's K-means, and what it is compared with: METIS, the greedy
-// groups of [6], round robin (§3.3.1).
+// Assignment of clusters to ranks: figure 1's K-means on G_val (§3.3.1), and its rivals: METIS, the
+// greedy groups of [6], round robin.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace enfilade {
 
 enum class AssignmentMethod { kmeans, metis, greedy, round_robin };
-/// kmeans, metis, greedy, round-robin: what users call the methods, in the enum's order.
+/// The methods' names on the command line, in the enum's order.
 std::span<const char* const> assignment_names();
 const char* name_of(AssignmentMethod method);
 /// Throws InputError for a name that is none of these.
@@ -25,20 +25,20 @@ struct AssignmentConfig {
   int parts = 1;
   std::uint64_t seed = 1;
   int max_iterations = 30;  ///< of figure 1's loop, which changes little after ten
-  int starts = 4;           ///< kmeans: choices of first centres, of which the best is taken
+  int starts = 4;           ///< kmeans: choices of first centres; the best grouping is taken
 };
 
 /// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as
-/// many clusters as parts, no part is empty. Only `greedy` looks at the weights of the edges; all
-/// others count hops or edges.
+/// many clusters as parts, no part is empty. Only `greedy` uses `weights` (as many as clusters, or
+/// none); the other methods count hops or edges.
 std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& weights,
                          const AssignmentConfig& config);
 
-/// Hops from `source` to every node of G_val (breadth-first: Warshall's answer, row by row);
-/// unreachable = 0xFFFFFFFF.
+/// Hops from `source` to every node of G_val, 0xFFFFFFFF to a node in another component: one row of
+/// Warshall's matrix (§3.3.1), by breadth-first search.
 std::vector<std::uint32_t> hop_distances(const ClusterGraph& graph, std::size_t source);
 
-/// Number of edges between different parts, and largest part over mean part.
+/// Edge cut (number of edges between different parts), and imbalance (largest part over mean part).
 struct PartitionQuality {
   std::size_t edge_cut = 0;
   double imbalance = 1.0;

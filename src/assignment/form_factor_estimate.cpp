@@ -1,3 +1,4 @@
+// The factor from a point to a facing disk, from two areas and a distance.
 #include "assignment/form_factor_estimate.hpp"
 
 #include <cmath>

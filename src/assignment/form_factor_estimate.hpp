@@ -1,5 +1,5 @@
-// How strongly two clusters exchange light, estimated from their boxes and areas: the edge weights
-// of [6]'s graph (RR-3425 §2).
+// An estimate of the form factor of two clusters from their boxes and areas: the edge weights of
+// [6]'s graph (RR-3425 §2).
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace enfilade {
 /// Dimensionless, symmetric, in (0, 1]: A / (A + pi d^2), the form factor from a point to a disk of
 /// area A that faces it at distance d. A is the geometric mean of the clusters' areas, since
 /// by reciprocity one factor of a pair is too large for the smaller where the other is too small; d
-/// lies between the centres of their boxes. Visibility and orientation are not looked at: an
-/// edge of G_cluster says already that there is something to exchange.
+/// lies between the centres of their boxes. Visibility and orientation do not enter: an edge of
+/// G_cluster says already that the two may exchange light.
 class FormFactorEstimate {
  public:
   /// Without clusters every pair weighs 1, as in G_val.
@@ -23,7 +23,7 @@ class FormFactorEstimate {
   explicit FormFactorEstimate(std::span<const Cluster> clusters);
 
   double between(std::size_t a, std::size_t b) const;
-  /// Clusters that it knows; 0 = all pairs weigh 1.
+  /// Number of clusters; 0 where all pairs weigh 1.
   std::size_t size() const { return nodes_.size(); }
 
  private:

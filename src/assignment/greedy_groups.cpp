@@ -1,3 +1,4 @@
+// Greedy graph growing with a heap of the free nodes at the group's border.
 #include "assignment/greedy_groups.hpp"
 
 #include <queue>
@@ -9,6 +10,7 @@ namespace {
 
 constexpr Rank nobody{-1};
 
+/// Grows one group after the other.
 class Growing {
  public:
   Growing(const ClusterGraph& graph, const FormFactorEstimate& weights)
@@ -26,7 +28,7 @@ class Growing {
     to_group_.assign(graph_.size(), 0.0);
     border_ = {};
     for (std::size_t placed = 0; placed < clusters; ++placed) {
-      drop_what_is_out_of_date();
+      drop_outdated_entries();
       place(border_.empty() ? start() : border_.top().second, group);
     }
   }
@@ -62,8 +64,8 @@ class Growing {
     }
   }
 
-  /// A node is put on the border anew each time it gains weight; only its last entry counts.
-  void drop_what_is_out_of_date() {
+  /// A node is pushed on the border again each time it gains weight; only its last entry is valid.
+  void drop_outdated_entries() {
     while (!border_.empty() && (!is_free(border_.top().second) ||
                                 border_.top().first != to_group_[border_.top().second])) {
       border_.pop();

@@ -1,3 +1,4 @@
+// Bit-parallel breadth-first searches.
 #include "assignment/hop_distance.hpp"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ int count(const Bits& a) {
 bool empty(const Bits& a) { return (a[0] | a[1] | a[2] | a[3]) == 0; }
 
 /// Up to 256 breadth-first searches in lockstep: bit s of a node's word says that search s has
-/// reached it, so an edge is followed once a level for all of them. Once a group's members have all
-/// met the pivots of their group, how much farther these reach does not matter: they stop.
+/// reached it, so that an edge is followed once a level for all of them. The searches of a group
+/// end once they have reached all its members.
 class BatchSearch {
  public:
   BatchSearch(const ClusterGraph& graph, std::span<const std::uint32_t> group,
@@ -56,7 +57,7 @@ class BatchSearch {
       missing[v] = wanted_[group_[v]] - count_own(seen_[v], group_[v]);
       left[group_[v]] += static_cast<std::uint64_t>(missing[v]);
     }
-    for (std::uint32_t level = 1; look_for(left) && spread(); ++level) {
+    for (std::uint32_t level = 1; keep_needed(left) && spread(); ++level) {
       for (std::uint32_t v : active_) {
         const int found = arrive(v);
         if (found == 0) continue;
@@ -80,8 +81,8 @@ class BatchSearch {
     return count(own);
   }
 
-  /// The searches of the groups that still miss some; false where there are none.
-  bool look_for(const std::vector<std::uint64_t>& left) {
+  /// Keeps the searches of groups with members still to be reached; false where there are none.
+  bool keep_needed(const std::vector<std::uint64_t>& left) {
     going_on_ = Bits{};
     for (std::size_t g = 0; g < own_.size(); ++g) {
       if (left[g] == 0) continue;
@@ -107,7 +108,7 @@ class BatchSearch {
     return !active_.empty();
   }
 
-  /// Turns what came to v into its new frontier; how many searches of its own group came.
+  /// Makes the searches that reached v its new frontier; returns how many of them are of its group.
   int arrive(std::size_t v) {
     for (std::size_t w = 0; w < batch_words; ++w) {
       frontier_[v][w] = next_[v][w] & ~seen_[v][w];

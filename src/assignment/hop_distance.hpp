@@ -22,13 +22,13 @@ struct NearestSources {
 };
 NearestSources nearest_sources(const ClusterGraph& graph, std::span<const std::uint32_t> sources);
 
-/// How central each node is in its own group, seen from the group's pivots.
+/// How central each node is in its own group, by its hops from the group's pivots.
 struct Centrality {
   std::vector<std::uint64_t>
       sum;  ///< of hops from the pivots of its group; n hops where unreachable
   std::vector<std::uint32_t> max;  ///< largest of these hops
 };
-/// `pivots` are nodes; each counts for the group that it is in.
+/// `group` by node; `pivots` are nodes, each of which belongs to its own group.
 Centrality centrality(const ClusterGraph& graph, std::span<const std::uint32_t> group,
                       std::span<const std::uint32_t> pivots);
 

@@ -1,3 +1,4 @@
+// Figure 1's loop: centres of gravity, groups around them, and again.
 #include "assignment/kmeans.hpp"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace {
 /// Members that a group's centre is judged from: enough for a centre within a few percent of the
 /// best, and a bound on the searches of a round.
 constexpr std::size_t pivots_a_group = 32;
+/// Sweeps over the nodes that are equally near to several centres.
 constexpr int choices_of_a_tie = 3;
-/// Largest group over mean that stealing makes good; below it, only the cut edges tell starts
-/// apart.
+/// Imbalance that work stealing makes good: starts below it are compared by their cut edges alone.
 constexpr double even_enough = 1.25;
 
 /// `parts` different nodes, random (ChooseCenterOfGravities).
@@ -51,7 +52,7 @@ class Grouping {
         tied.push_back(v);
       }
     }
-    // A first choice knows few neighbours, so that it is made again when all have theirs.
+    // In the first sweep few neighbours have a group yet, so that the choice is made again.
     for (int sweep = 0; sweep < choices_of_a_tie; ++sweep) {
       for (std::uint32_t v : tied) {
         if (sweep > 0) --size_[static_cast<std::size_t>(owner_[v].value)];
@@ -140,8 +141,8 @@ std::vector<Rank> groups_from(const ClusterGraph& graph, const AssignmentConfig&
   std::vector<std::uint32_t> centres = random_centres(graph.size(), parts, seed);
   Grouping grouping(graph, parts);
   std::vector<Rank> owner;
-  // The centres alone decide the next groups, so that centres met before mean a fixed point or a
-  // cycle.
+  // The centres alone decide the next groups: centres that occurred before mean a fixed point or a
+  // cycle of groupings.
   std::set<std::vector<std::uint32_t>> met;
   for (int k = 0; k < config.max_iterations && met.insert(centres).second; ++k) {
     owner = grouping.around(centres);

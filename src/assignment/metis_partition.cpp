@@ -1,3 +1,4 @@
+// The only file that calls METIS.
 #include "assignment/metis_partition.hpp"
 
 #include <metis.h>

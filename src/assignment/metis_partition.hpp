@@ -7,7 +7,8 @@
 
 namespace enfilade {
 
-/// Needs 1 <= parts <= nodes. A part may come out empty.
+/// Needs 1 <= parts <= nodes. A part may come out empty. Throws RunError for more edges than
+/// METIS's index type counts.
 std::vector<Rank> metis_parts(const ClusterGraph& graph, const AssignmentConfig& config);
 
 }  // namespace enfilade

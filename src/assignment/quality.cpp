@@ -1,3 +1,4 @@
+// Edge cut and imbalance of an assignment.
 #include <algorithm>
 
 #include "assignment/assignment.hpp"

@@ -1,3 +1,4 @@
+// Grouping the pieces of each cell: large faces, then objects, then neighbours.
 #include "clusters/cluster.hpp"
 
 #include <algorithm>
@@ -11,9 +12,11 @@ namespace enfilade {
 namespace {
 
 constexpr double coplanar_relative = 1e-5;  // of the cell's diagonal
-constexpr double rounding = 1e-9;           // what a turned building's sizes may differ by
+constexpr double rounding = 1e-9;           // sizes of a turned building may differ by this share
 
-// The pieces of one cell, and how they are dealt out.
+constexpr std::size_t connected_group = 3;  // smaller connected groups are pooled
+
+// The pieces of one cell, and the groups that they are sorted into.
 class CellClusters {
  public:
   CellClusters(const Scene& scene, std::vector<const CellPiece*> pieces, const Frame& own,
@@ -49,8 +52,8 @@ class CellClusters {
     return scene_.surfaces[pieces_[i]->piece.surface.index()].object;
   }
 
-  // What fits into one cluster is one, however long: an object is seen as a whole. What is larger
-  // is no object but a mesh; its parts are as local as they are small.
+  // A group that fits into one cluster stays whole, however long: an object is seen as a whole. A
+  // larger one is a mesh, whose parts are limited in size as well.
   void add_split(const Group& group, std::size_t max_size) {
     const double max_extent_m = group.size() > max_size ? max_extent_m_ : 0.0;
     for (Group& part : split_by_position(polygons_, group, max_size, max_extent_m)) {
@@ -59,7 +62,7 @@ class CellClusters {
     }
   }
 
-  // Walls, floors, ceilings: a cluster that mixes them with each other would see everything.
+  // Walls, floors, ceilings: a cluster of several of them would see everything.
   Group take_large() {
     const double long_m = (1.0 - rounding) * config_.large_share * box_.diagonal();
     const double tolerance_m = coplanar_relative * box_.diagonal();
@@ -108,7 +111,7 @@ class CellClusters {
     Group loose;
     for (Group& group : connected_groups(subset, coplanar_relative * box_.diagonal())) {
       for (std::size_t& i : group) i = from[i];
-      if (group.size() > 2) {
+      if (group.size() >= connected_group) {
         add_split(group, config_.max_polygons);
       } else {
         loose.insert(loose.end(), group.begin(), group.end());
@@ -145,9 +148,9 @@ class CellClusters {
 
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
                                     const ClusterConfig& config, const Frame& own) {
-  // Sealed pieces by themselves: a cluster of both would be linked for the lit ones' sake.
+  // Unreachable pieces by themselves: a cluster of both kinds would be linked for its lit pieces.
   std::map<std::pair<CellId, bool>, std::vector<const CellPiece*>> groups;
-  for (const CellPiece& piece : pieces) groups[{piece.cell, piece.sealed}].push_back(&piece);
+  for (const CellPiece& piece : pieces) groups[{piece.cell, piece.unreachable}].push_back(&piece);
   std::vector<Cluster> clusters;
   for (auto& [key, members] : groups) {
     for (Cluster& cluster : CellClusters(scene, std::move(members), own, config).build()) {

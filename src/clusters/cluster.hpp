@@ -17,14 +17,14 @@ namespace enfilade {
 struct ClusterPolygon {
   SurfaceId surface;
   Polygon polygon;
-  std::vector<Segment> contacts{};  ///< where others touch or cross it: light breaks there
+  std::vector<Segment> contacts{};  ///< where other polygons touch or cross it: shadow borders
 };
 
 /// Polygons of one cell: an object, a polygon, or neighbouring polygons.
 struct Cluster {
   ClusterId id;
   CellId cell;
-  std::string object;  ///< the scene's object that it comes from; empty where it is of several
+  std::string object;  ///< the scene's object of all its polygons; empty where they differ
   std::vector<ClusterPolygon> polygons;
   Box bounds;
   double area_m2 = 0.0;
@@ -32,7 +32,7 @@ struct Cluster {
 
 struct ClusterConfig {
   std::size_t max_polygons = 64;   ///< larger objects are split by position
-  double max_extent_share = 0.25;  ///< of their parts: longest side, of the cell's diagonal
+  double max_extent_share = 0.25;  ///< longest side of such parts, of the cell's diagonal
   double large_share =
       0.25;  ///< polygons longer than this share of the cell are not mixed with others
   std::size_t pool_polygons =
@@ -40,15 +40,15 @@ struct ClusterConfig {
 };
 
 struct ContactConfig {
-  double min_length_relative = 1e-3;  ///< of the scene's diagonal: shorter ones are left out
-  std::size_t most = 32;              ///< a polygon
+  double min_length_relative = 1e-3;  ///< of the scene's diagonal: shorter contacts are left out
+  std::size_t most = 32;              ///< contacts kept for each polygon
 };
 
-/// Groups the cut pieces by cell; within it large polygons (walls, floors) with the fellows of
-/// their object and plane, then the file's objects, then what hangs together, then what lies close.
-/// Ids go by cell, lit before sealed, then by position. Every cluster lies in one cell and is all
-/// lit or all sealed, every cell piece is in exactly one cluster. Sizes are measured along `own`,
-/// the building's frame as dominant_frame gives it.
+/// Groups the cut pieces by cell; within a cell large polygons (walls, floors) by object and plane,
+/// then the other pieces by the file's objects, then connected ones, then those that lie close.
+/// Ids go by cell, reachable before unreachable, then by position. Every cluster lies in one cell
+/// and is reachable or unreachable as a whole; every cell piece is in exactly one cluster. Sizes
+/// are measured along `own`, the building's frame as dominant_frame gives it.
 std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiece> pieces,
                                     const ClusterConfig& config,
                                     const Frame& own = {Vec3(0, 0, 1), Vec3(1, 0, 0),

@@ -1,4 +1,4 @@
-// The clusters as bytes.
+// Clusters as bytes, and back.
 #include "base/byte_stream.hpp"
 #include "clusters/cluster.hpp"
 

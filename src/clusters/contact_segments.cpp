@@ -1,3 +1,4 @@
+// Segments in which other polygons meet a polygon's plane, clipped to the polygon.
 #include "clusters/contact_segments.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace enfilade {
 namespace {
 
-/// What of the segment lies behind all planes; none where it only runs along one of them.
+/// The part of the segment in front of all planes; none where it only runs along one of them.
 std::optional<Segment> clip(Segment s, const std::vector<Plane>& planes, double tolerance_m,
                             double min_length_m) {
   for (const Plane& plane : planes) {

@@ -1,4 +1,5 @@
-// Where other polygons touch or cross a polygon's plane: the lines along which light can end.
+// Contacts: segments in which other polygons touch or cross a polygon. Light can end along them
+// (D0 discontinuities of the radiosity, Heckbert 1992).
 #pragma once
 
 #include <memory>
@@ -19,8 +20,9 @@ class ContactSegments {
                   double min_length_m);
   ~ContactSegments();
 
-  /// Edges of other polygons that lie in the plane of polygon `i`, and the lines in which others
-  /// cross it: what of them lies inside the polygon and not along its own edges. Longest first.
+  /// Edges of other polygons that lie in the plane of polygon `i`, and segments in which others
+  /// cross that plane: their parts inside the polygon, but for those along its own edges. Longest
+  /// first.
   std::vector<Segment> inside(std::size_t i) const;
 
  private:
@@ -28,7 +30,7 @@ class ContactSegments {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Fills ClusterPolygon::contacts: of each polygon the `most` longest.
+/// Fills ClusterPolygon::contacts with the `config.most` longest contacts of each polygon.
 void find_contacts(std::span<Cluster> clusters, double tolerance_m, const ContactConfig& config);
 
 }  // namespace enfilade

@@ -1,3 +1,4 @@
+// Random walks by ray casting, and next-event estimation at each step.
 #include "clusters/light_walk.hpp"
 
 #include <cmath>
@@ -55,7 +56,7 @@ bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
   return false;
 }
 
-/// Many walks of many steps ask, so that one light at a time is enough.
+/// One light, drawn at random, is tested a step: a point is tested by many walks of many steps.
 bool LightWalk::sees_light(const Vec3& p, const Vec3& n, Random& random) const {
   const std::size_t count = lights_.size() + emitters_.size();
   if (count == 0) return false;

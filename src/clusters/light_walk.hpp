@@ -1,4 +1,5 @@
-// Can light get to a point? Random walks from it that end on black backs, in the open, or at light.
+// Whether light can reach a point: random walks from the point end on black backs, in the open, or
+// at a light.
 #pragma once
 
 #include <span>
@@ -11,15 +12,15 @@
 
 namespace enfilade {
 
-/// Holds on to the lights and the pieces, which must outlive it.
+/// Keeps references to the scene's lights and the pieces, which must outlive it.
 class LightWalk {
  public:
-  /// Walks start and go on `offset_m` in front of a polygon, and look at a light drawn by lot at
-  /// every step; one that has seen none after `max_bounces` gives up.
+  /// Each step of a walk starts `offset_m` in front of a polygon and tests one light or emitting
+  /// piece, drawn at random, by a shadow ray. A walk ends without light after `max_bounces` steps.
   LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
             int max_bounces);
 
-  /// Does any of `walks` walks from p, on a plane with unit normal n, find light?
+  /// True if any of `walks` walks from p, on a plane with unit normal n, finds light.
   bool finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const;
 
  private:

@@ -1,3 +1,4 @@
+// Union-find over shared vertices; halving by position.
 #include "clusters/neighbourhood.hpp"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ std::vector<Group> split_by_position(std::span<const Polygon* const> polygons, G
     jobs.pop_back();
     Box box;
     for (const std::size_t i : job) box.add(bounds(*polygons[i]));
-    // What is equal but for rounding is taken as equal: the order that follows is the file's.
+    // Extents that are equal but for rounding count as equal, so that a turned building is halved
+    // along the same axis.
     const Vec3 e = box.extent();
     const double widest = (1.0 - 1e-9) * std::max({e.x, e.y, e.z});
     const int axis = e.x >= widest ? 0 : e.y >= widest ? 1 : 2;

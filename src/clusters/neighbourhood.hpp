@@ -1,4 +1,4 @@
-// Polygons that hang together or lie close: clusters where the file names no objects (§3.2).
+// Connected polygons, and polygons that lie close: clusters where the file names no objects (§3.2).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace enfilade {
 /// Indices into a list of polygons.
 using Group = std::vector<std::size_t>;
 
-/// Groups that share vertices (to `tolerance_m`), each in ascending order, ordered by first member.
+/// Connected components of the polygons that share vertices (to `tolerance_m`), each in ascending
+/// order, ordered by first member.
 std::vector<Group> connected_groups(std::span<const Polygon* const> polygons, double tolerance_m);
 
 /// Halves a group by position along its longest axis until no part has more than `max_size`

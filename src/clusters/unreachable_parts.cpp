@@ -1,3 +1,4 @@
+// A binary tree of cuts for each piece; its leaves are reachable or unreachable as a whole.
 #include "clusters/unreachable_parts.hpp"
 
 #include <algorithm>
@@ -12,19 +13,20 @@
 namespace enfilade {
 namespace {
 
-constexpr int points_of_part = 8;  // a part's walks start from this many points spread over it
+constexpr int points_of_part = 8;      // walks of a part start from this many stratified points
+constexpr double inside_share = 0.96;  // of the way from a part's centroid to such a point
 
-/// Halved along lines of contact; a leaf has no children.
+/// A part of a piece, and its halves where it is cut along a contact; a leaf has no children (0).
 struct Node {
   Polygon polygon;
   std::vector<Segment> segments;  ///< inside the polygon, longest first
   std::size_t front = 0, back = 0;
-  bool sealed = false;
+  bool unreachable = false;
 };
 
 struct Part {
   Polygon polygon;
-  bool sealed;
+  bool unreachable;
 };
 
 /// What of the segments lies in front of the plane, longest first.
@@ -39,7 +41,7 @@ std::vector<Segment> in_front(const std::vector<Segment>& segments, const Plane&
   return kept;
 }
 
-/// One piece and what becomes of it.
+/// Cuts one piece into reachable and unreachable parts.
 class PieceCut {
  public:
   PieceCut(const Polygon& polygon, std::vector<Segment> segments, const LightWalk& walk,
@@ -55,7 +57,7 @@ class PieceCut {
 
   std::vector<Part> parts() {
     cut();
-    monitor();
+    classify();
     std::vector<Part> found;
     collect(0, found);
     rejoin(found);
@@ -63,7 +65,8 @@ class PieceCut {
   }
 
  private:
-  /// Longest contact first, over all leaves, until none parts light from dark any more.
+  /// Longest contact first, over all leaves, until no contact parts reachable ground from
+  /// unreachable.
   void cut() {
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry> longest;
@@ -84,13 +87,14 @@ class PieceCut {
     }
   }
 
-  /// Along its longest contact; where that is no border, it is crossed out and nothing is cut.
+  /// Cuts a node along its longest contact; false where the contact is no border between reachable
+  /// and unreachable ground: then the contact is dropped.
   bool halve(std::size_t i) {
     const Segment s = nodes_[i].segments.front();
     const Vec3 across = glm::normalize(glm::cross(n_, s.b - s.a));
     std::pair<Polygon, Polygon> halves;
     const Plane plane{across, glm::dot(across, s.a)};
-    const bool border = parts_light_from_dark(s, across);
+    const bool border = parts_reachable_ground(s, across);
     if (border) halves = split(nodes_[i].polygon, plane, tolerance_m_);
     if (halves.first.size() < 3 || halves.second.size() < 3) {
       nodes_[i].segments.erase(nodes_[i].segments.begin());
@@ -106,7 +110,8 @@ class PieceCut {
     return true;
   }
 
-  bool parts_light_from_dark(const Segment& s, const Vec3& across) {
+  /// Is light found on one side of the contact and not on the other, at one of three points?
+  bool parts_reachable_ground(const Segment& s, const Vec3& across) {
     for (const double t : {0.5, 0.15, 0.85}) {
       const Vec3 p = s.a + t * (s.b - s.a);
       const Vec3 aside = 4.0 * tolerance_m_ * across;
@@ -119,8 +124,9 @@ class PieceCut {
     return false;
   }
 
-  /// Points in the triangles of a fan, as many as their areas ask for, a little inside.
-  bool is_sealed(const Polygon& polygon) {
+  /// Walks start from points stratified by area over the triangles of a fan, a little inside the
+  /// part.
+  bool is_unreachable(const Polygon& polygon) {
     const double area = area_m2(polygon);
     const Vec3 c = centroid(polygon);
     std::size_t k = 2;
@@ -134,22 +140,22 @@ class PieceCut {
       const double r1 = random_.uniform(), r2 = random_.uniform();
       const Vec3 p = point_in_triangle(polygon[0], polygon[k - 1], polygon[k], r1, r2);
       const int walks = std::max(1, config_.walks / points_of_part);
-      if (walk_.finds_light(c + 0.96 * (p - c), n_, walks, random_)) return false;
+      if (walk_.finds_light(c + inside_share * (p - c), n_, walks, random_)) return false;
     }
     return true;
   }
 
-  /// Leaves by walks, the others by their children; halves in one state become whole again.
-  void monitor() {
+  /// Leaves are classified by walks; two leaves of one node that are alike become whole again.
+  void classify() {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       Node& node = nodes_[i];
       if (node.front == 0) {
-        node.sealed = is_sealed(node.polygon);
+        node.unreachable = is_unreachable(node.polygon);
         continue;
       }
       const Node &a = nodes_[node.front], &b = nodes_[node.back];
-      if (a.front == 0 && b.front == 0 && a.sealed == b.sealed) {
-        node.sealed = a.sealed;
+      if (a.front == 0 && b.front == 0 && a.unreachable == b.unreachable) {
+        node.unreachable = a.unreachable;
         node.front = node.back = 0;
       }
     }
@@ -158,14 +164,14 @@ class PieceCut {
   void collect(std::size_t i, std::vector<Part>& found) {
     Node& node = nodes_[i];
     if (node.front == 0) {
-      found.push_back({std::move(node.polygon), node.sealed});
+      found.push_back({std::move(node.polygon), node.unreachable});
     } else {
       collect(node.front, found);
       collect(node.back, found);
     }
   }
 
-  /// One polygon for two of one state where their hull is no larger than they are together.
+  /// Joins two parts that are alike where their hull is no larger than their sum.
   void rejoin(std::vector<Part>& parts) const {
     for (bool joined = true; joined;) {
       joined = false;
@@ -183,7 +189,8 @@ class PieceCut {
   }
 
   bool join(Part& a, const Part& b) const {
-    if (a.sealed != b.sealed || !bounds(a.polygon).overlaps(bounds(b.polygon), tolerance_m_)) {
+    if (a.unreachable != b.unreachable ||
+        !bounds(a.polygon).overlaps(bounds(b.polygon), tolerance_m_)) {
       return false;
     }
     std::vector<Vec3> points(a.polygon);
@@ -215,7 +222,7 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
   }
   const double min_length_m = config.min_length_relative * box.diagonal();
   const ContactSegments contacts(polygons, tolerance_m, min_length_m);
-  // Clear of whatever lies in the plane itself.
+  // Walks start clear of polygons that lie in the plane itself.
   const LightWalk walk(scene, pieces, 2.0 * tolerance_m, config.max_bounces);
   std::vector<CellPiece> cut;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -223,7 +230,7 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
     PieceCut one(piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
                  Random(config.seed * 0x9E3779B97F4A7C15ull + i));
     for (Part& part : one.parts()) {
-      cut.push_back({pieces[i].cell, {piece.surface, std::move(part.polygon)}, part.sealed});
+      cut.push_back({pieces[i].cell, {piece.surface, std::move(part.polygon)}, part.unreachable});
     }
   }
   return cut;

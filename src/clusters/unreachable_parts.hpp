@@ -1,4 +1,4 @@
-// Pieces that run on underneath or into solids are cut there: dark stays dark.
+// Pieces that run on underneath or into solids are cut there: no light can reach these parts.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 namespace enfilade {
 
 struct UnreachableConfig {
-  int walks = 32;                     ///< random walks that must find no light in a sealed part
-  int max_bounces = 64;               ///< a walk that finds none in so many steps gives up
+  int walks = 32;                     ///< random walks that find no light from an unreachable part
+  int max_bounces = 64;               ///< a walk that finds none in so many steps ends
   std::size_t max_parts = 128;        ///< a piece is cut into at most this many
   double min_length_relative = 5e-4;  ///< shorter contacts do not cut, relative to the diagonal
   std::uint64_t seed = 1;
 };
 
 /// Large polygons (slabs, walls) run on underneath cupboards and into other solids. Polygons are
-/// black from behind, so no light gets there; but a patch that lies on both sides of the line of
-/// contact would share its light out evenly. Cuts each piece along those lines of contact that
-/// part lit from sealed ground, and along no other; sealed parts say so. No area is lost, the
-/// parts of a piece follow each other, and a piece without such a line stays as it is.
+/// black from behind, so that no light can reach those parts; but a patch that lies on both sides
+/// of the line of contact would share its light out evenly. Cuts each piece along the contacts that
+/// part reachable from unreachable ground, and along no other, and marks the unreachable parts. No
+/// area is lost, the parts of a piece follow each other, and a piece without such a contact stays
+/// whole. Repeatable for a seed. `tolerance_m` is the cells'.
 std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const CellPiece> pieces,
                                              double tolerance_m, const UnreachableConfig& config);
 

@@ -1,3 +1,4 @@
+// Depth-first traversal with an explicit stack.
 #include "tour/backtracking.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace enfilade {
 namespace {
 
-/// A cluster on the path, and where one can go on from it, the cheapest last.
+/// A cluster on the path: the clusters to go on to from it, the cheapest last.
 struct Step {
   std::vector<ClusterId> onward;
 };

@@ -1,3 +1,4 @@
+// CYCLE: its cost, and the removal of a cluster.
 #include <algorithm>
 
 #include "tour/tour.hpp"

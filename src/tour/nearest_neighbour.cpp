@@ -1,3 +1,4 @@
+// Candidates from a small pool for each cluster; the nearest-neighbour tour through them.
 #include "tour/nearest_neighbour.hpp"
 
 #include <algorithm>
@@ -8,8 +9,8 @@ namespace enfilade {
 
 namespace {
 
-/// Clusters looked at for each one's candidates: those that it sees, the rest of its room (close
-/// ids).
+/// Clusters that are priced for each one's candidates: clusters that it sees, and the rest of its
+/// room (close ids).
 constexpr std::size_t pool_size = 96;
 /// Unvisited clusters on each side by id that are tried where no candidate is left.
 constexpr int far_tries = 16;
@@ -28,8 +29,8 @@ struct ById {
   }
 };
 
-/// Places to look at from c: at most pool_size / 2 evenly of what it sees, and as many of the
-/// closest ids.
+/// Places to price from c: at most pool_size / 2 of the clusters that c sees, evenly spaced, and as
+/// many with the closest ids.
 std::vector<std::uint32_t> pool_of(std::uint32_t c, const std::vector<ClusterId>& clusters,
                                    const ClusterGraph& graph, const ById& by_id,
                                    const std::vector<std::uint32_t>& place_of) {

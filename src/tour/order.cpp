@@ -1,3 +1,4 @@
+// The orders by name; the simple ones.
 #include "tour/order.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ std::vector<ClusterId> at_places(const std::vector<ClusterId>& clusters,
   return order;
 }
 
-/// By nearest neighbour, and where asked by the better tour that segment moves make of it or of the
-/// order given.
+/// The nearest-neighbour tour; with `improve`, the cheaper of it and the given order, improved by
+/// segment moves.
 class CheapOrder final : public Order {
  public:
   CheapOrder(std::uint64_t seed, bool improve) : seed_(seed), improve_(improve) {}

@@ -1,4 +1,4 @@
-// In which order a rank's clusters gather: the paper's (§3.2), and those that it must beat (§7).
+// The order in which a rank's clusters gather: the paper's (§3.2), and its rivals (§7).
 #pragma once
 
 #include <memory>
@@ -10,30 +10,31 @@ namespace enfilade {
 
 /// travelling_salesman  the paper's CYCLE, see below
 /// greedy               always on to the cluster that costs least to go to
-/// random               as the seed has it
+/// random               a permutation by the seed
 /// input                by number, which runs through the building room by room
 /// backtracking         through G_cluster depth first, see tour/backtracking.hpp
-/// unshot_energy        where most light waits, decided from turn to turn, see
+/// unshot_energy        the cluster with the most unshot energy before it, decided at each turn,
+/// see
 ///                      tour/unshot_energy.hpp
 enum class TourOrder { travelling_salesman, greedy, random, input, backtracking, unshot_energy };
-/// What users call them, in the enum's order: travelling-salesman, greedy, ...
+/// The orders' names on the command line, in the enum's order: travelling-salesman, greedy, ...
 std::span<const char* const> order_names();
 const char* name_of(TourOrder order);
 /// Throws InputError for a name that is none of these.
 TourOrder tour_order(const std::string& name);
 
-/// One way to order them.
+/// One way to order a rank's clusters.
 class Order {
  public:
   virtual ~Order() = default;
-  /// CYCLE: each of the clusters once.
+  /// CYCLE: a permutation of the clusters.
   virtual std::vector<ClusterId> arrange(std::vector<ClusterId> clusters,
                                          const VisibilityCost& cost) const = 0;
-  /// Which of those that wait has its turn now; they come as CYCLE has them, and at least one. The
-  /// first, unless the order looks at the light.
+  /// Index of the cluster that gathers next, among those that have not gathered yet in this
+  /// iteration (in CYCLE's order, at least one). The first, unless the order depends on the light.
   virtual std::size_t choose(std::span<const ClusterId>) const { return 0; }
-  /// A gather of this rank has changed the receiver's light by so much power (sum of area |B(k) -
-  /// B(k-1)|).
+  /// A gather of this rank has changed the receiver's power by this much: sum of area |B(k) -
+  /// B(k-1)|.
   virtual void gathered(ClusterId, double) {}
 };
 

@@ -1,3 +1,4 @@
+// Local search over segment moves with a queue of changed places, and random kicks.
 #include "tour/segment_moves.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ class TourArray {
   std::vector<std::uint32_t> tour_, at_, buffer_;
 };
 
-/// OVG's edges as they were last worked out: the moves look at the same ones again and again.
+/// A cache of OVG's edges: the moves price the same edges again and again.
 class PriceMemory {
  public:
   PriceMemory(const std::vector<ClusterId>& clusters, const VisibilityCost& cost)
@@ -119,7 +120,7 @@ class Improver {
     queue_.push_back(a);
   }
 
-  /// Moves segments until none that starts behind a queued place helps, or the budget is spent.
+  /// Moves segments until no move of a segment behind a queued place gains, or the budget is spent.
   void settle() {
     while (!queue_.empty()) {
       const std::uint32_t a = queue_.front();
@@ -129,7 +130,7 @@ class Improver {
     }
   }
 
-  /// Moves a's next 1, 2, 3 clusters to where a candidate of theirs is.
+  /// Moves the next 1, 2 or 3 clusters after a next to one of their candidates.
   bool or_opt(std::uint32_t a) {
     const std::size_t longest = std::min(config_.longest_or_opt, tour_.size() - 2);
     for (std::size_t count = 1; count <= longest; ++count) {

@@ -11,10 +11,9 @@
 namespace enfilade {
 
 struct SegmentMoveConfig {
-  std::uint64_t costs_a_cluster =
-      1000;                        ///< budget of OVG edges looked at, times the number of clusters
-  std::size_t longest_or_opt = 3;  ///< clusters in a segment that Or-opt moves
-  int kicks_a_cluster = 4;         ///< random segment exchanges, kept where the tour gets cheaper
+  std::uint64_t costs_a_cluster = 1000;  ///< OVG edges that may be priced, for each cluster
+  std::size_t longest_or_opt = 3;        ///< clusters in a segment that Or-opt moves
+  int kicks_a_cluster = 4;  ///< random segment exchanges, kept where the tour gets cheaper
   std::uint64_t seed = 1;
 };
 

@@ -11,18 +11,19 @@
 
 namespace enfilade {
 
-/// What it costs to go from one receiving cluster to the next: OVG's edge (C1, C2).
+/// The cost of going from one receiving cluster to the next, in bytes: OVG's edges (§3.2).
 /// cost(C1, C2) = bytes of C2's receiver part and of the clusters visible to C2 that are neither C1
-/// nor visible to C1, when `memory_bytes` holds all that C2 needs; what does not fit is paid again.
+/// nor visible to C1, when `memory_bytes` holds all that C2 needs; bytes that do not fit are read
+/// again.
 class VisibilityCost {
  public:
-  /// bytes[c]: what cluster c takes as a shooter (geometry and patches). receiver_bytes[c]: what it
-  /// takes besides as a receiver (its links), read at each of its turns; empty = none.
+  /// bytes[c]: bytes of cluster c as a shooter (geometry and patches). receiver_bytes[c]: its
+  /// further bytes as a receiver (links), read at each of its turns; empty = none.
   VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
                  std::uint64_t memory_bytes, std::vector<std::uint64_t> receiver_bytes = {});
   std::uint64_t between(ClusterId from, ClusterId to) const;
-  /// Bytes that each of the receivers needs and that are not among `resident` (§3.3.3: the victim's
-  /// choice).
+  /// For each receiver, the bytes that it needs of clusters that are not `resident` (§3.3.3: by
+  /// these the victim chooses the cluster that it gives away).
   std::vector<std::uint64_t> given(std::span<const ClusterId> resident,
                                    std::span<const ClusterId> receivers) const;
   /// Bytes that `receiver` needs when nothing is in memory.
@@ -39,7 +40,7 @@ class VisibilityCost {
     return {words_.data() + first_word_[cluster], words_.data() + first_word_[cluster + 1]};
   }
   std::uint64_t bytes_of(std::uint32_t index, std::uint64_t bits) const;
-  /// Of the word's clusters, those that are not among `held`.
+  /// Bytes of the word's clusters that are not in `held`.
   std::uint64_t bytes_without(const Word& word, std::uint64_t held) const;
   std::uint64_t receiver_bytes(std::size_t cluster) const {
     return receiver_bytes_.empty() ? 0 : receiver_bytes_[cluster];
@@ -49,25 +50,25 @@ class VisibilityCost {
   std::vector<std::uint64_t> bytes_, receiver_bytes_;
   std::uint64_t memory_bytes_;
   std::vector<std::size_t> first_word_;
-  std::vector<Word> words_;  ///< each cluster with all that it sees
+  std::vector<Word> words_;  ///< by cluster: the cluster itself and all that it sees
   std::vector<std::uint64_t> needed_;
 };
 
-/// Bytes of a closed tour.
+/// Bytes of one round of a closed tour.
 std::uint64_t cost_of_round(const std::vector<ClusterId>& order, const VisibilityCost& cost);
 
 /// CYCLE: a closed tour through a rank's clusters, traversed once an iteration.
 class Cycle {
  public:
   Cycle() = default;
-  /// As an Order (tour/order.hpp) has arranged the clusters.
+  /// `order` as Order::arrange (tour/order.hpp) returns it.
   Cycle(std::vector<ClusterId> order, const VisibilityCost& cost);
 
   const std::vector<ClusterId>& order() const { return order_; }
-  /// Bytes of one round. A cycle of one cluster costs what of it does not stay in memory.
+  /// Bytes of one round. A cycle of one cluster costs the bytes of it that do not fit into memory.
   std::uint64_t cost_bytes() const { return cost_bytes_; }
-  /// Links predecessor and successor together (§3.3.3). A cluster that is not in the cycle is left
-  /// out.
+  /// Links predecessor and successor together (§3.3.3). Does nothing for a cluster that is not in
+  /// the cycle.
   void remove(ClusterId cluster, const VisibilityCost& cost);
 
  private:

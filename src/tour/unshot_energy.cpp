@@ -1,3 +1,4 @@
+// By cluster, the power of all that it sees that has changed since its last gather.
 #include "tour/unshot_energy.hpp"
 
 #include "base/error.hpp"

@@ -1,18 +1,19 @@
-// The cluster first for which most light waits: one of the orders that [7] and [10] compare, and
-// [8]'s second step (§2.2).
+// The cluster first whose surroundings have the most unshot energy: one of the orders that [7] and
+// [10] compare, and [8]'s second step (§2.2).
 #pragma once
 
 #include "tour/order.hpp"
 
 namespace enfilade {
 
-/// Where light is gathered and not shot, the light that waits for a receiver is the change of all
-/// that it sees since its own last turn. This is our reconstruction of 'maximum energy' (§7).
-/// A rank knows what its own gathers changed; of other ranks' clusters it knows what they emit, and
-/// nothing later, since hearing of it would cost the messages and reads that an order is to save.
+/// Where light is gathered and not shot, the unshot energy of a receiver is the change in power of
+/// all clusters that it sees since its own last gather. This is our reconstruction of 'maximum
+/// energy' (§7). A rank has the changes of its own gathers; of other ranks' clusters it has their
+/// emitted power alone, since later changes would cost the messages and reads that an order is to
+/// save.
 class UnshotEnergy final : public Order {
  public:
-  /// `graph` must outlive it. At first each cluster's own exitance has yet to arrive.
+  /// `graph` must outlive it. At first each cluster's emitted power is unshot.
   UnshotEnergy(const ClusterGraph& graph, const std::vector<double>& emitted_power);
 
   std::vector<ClusterId> arrange(std::vector<ClusterId> clusters,
@@ -21,7 +22,7 @@ class UnshotEnergy final : public Order {
   }
   std::size_t choose(std::span<const ClusterId> waiting) const override;
   void gathered(ClusterId receiver, double change_power) override;
-  /// Power that has not arrived at a cluster.
+  /// Power that a cluster has not gathered yet.
   double waiting_power(ClusterId receiver) const { return power_[receiver.index()]; }
 
  private:

@@ -1,3 +1,4 @@
+// OVG's edges by sets of 64 clusters a word.
 #include <algorithm>
 #include <bit>
 

@@ -1,3 +1,4 @@
+// Pushes each polygon down the tree of cells, cut at every plane that it crosses.
 #include "visibility/cell_parts.hpp"
 
 #include <algorithm>

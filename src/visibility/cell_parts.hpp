@@ -1,7 +1,7 @@
-// Where a cluster's polygons really lie. Cutting leaves what sticks out of a cell by less than the
-// tolerance whole, and what lies in a border within the tolerance goes to the side that it faces:
-// right for the light, but the part that sticks out sees the neighbouring cell, and that pair must
-// not be missed.
+// The cells that a cluster's polygons lie in, without tolerance. Clusters are made with one: a
+// polygon that sticks out of its cell by less stays whole, and one that lies in a border within it
+// belongs to the side that it faces. The part that sticks out sees the neighbouring cell, and no
+// visible pair may be missed.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace enfilade {
 
-/// The polygons, or parts of them, that a cluster has in one cell.
+/// The polygons of a cluster, or parts of them, that lie in one cell.
 struct CellPart {
   CellId cell;
   std::vector<SourcePolygon> polygons;
@@ -20,7 +20,7 @@ struct CellPart {
 };
 
 /// The cluster's own cell first, with all its polygons whole; then the cells that it sticks out
-/// into. Its first polygon has this number among those of all clusters.
+/// into. `first_number`: number of the cluster's first polygon among the polygons of all clusters.
 std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster,
                                     std::uint32_t first_number);
 

@@ -1,3 +1,4 @@
+// Compressed rows from pairs.
 #include "visibility/cluster_graph.hpp"
 
 #include <algorithm>

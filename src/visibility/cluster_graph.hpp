@@ -1,5 +1,5 @@
-// G_cluster: which clusters can see each other (§3.2). Conservative: a visible pair is never
-// missing.
+// G_cluster: the pairs of clusters that can see each other (§3.2). Conservative: a visible pair is
+// never missing.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace enfilade {
 
-/// Undirected graph in compressed rows: neighbours of i are sorted and hold j != i; a cluster is
-/// taken to see itself without an edge.
+/// Undirected graph in compressed rows: the neighbours of i are sorted and differ from i; every
+/// cluster is taken to see itself, without an edge.
 class ClusterGraph {
  public:
   ClusterGraph() = default;
-  /// Pairs may come in any order and twice.
+  /// Pairs may come in any order, either way round and several times.
   ClusterGraph(std::size_t clusters, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
 
   std::size_t size() const { return offsets_.empty() ? 0 : offsets_.size() - 1; }
@@ -36,22 +36,23 @@ class ClusterGraph {
   std::vector<std::uint32_t> targets_;
 };
 
-/// How much care a source's sequences get before a coarser answer that covers them is taken.
+/// The effort spent on visibility, before coarser answers that are conservative as well are taken.
 struct VisibilityConfig {
-  int max_passes = 2;        ///< sequences followed one by one through the same doorway
-  bool prove_hidden = true;  ///< leave out what is proved hidden by what stands between
+  int max_passes = 2;        ///< sequences of a source followed one by one through one doorway
+  bool prove_hidden = true;  ///< drop windows and pairs that are proved hidden by occluders
   OcclusionConfig occlusion;
 };
 
-/// G_cell: pairs of cells that see each other through a sequence of portals; a cell sees itself.
+/// G_cell: pairs (a <= b) of cells that see each other through a sequence of portals; a cell sees
+/// itself.
 std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
                                                      const VisibilityConfig& config = {});
 
 /// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
 /// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so this is G_cell tightened by what can be seen through the sequences and, with
-/// `prove_hidden`, by what stands between (occlusion.hpp): first between a cluster and each portal
-/// of a sequence, which ends all sequences through it, then between the clusters that are left.
+/// of its own, so that G_cluster is tighter than G_cell. With `prove_hidden` occluders tighten it
+/// further (occlusion.hpp): first between a cluster and each portal of a sequence, where a proof
+/// ends all sequences through that portal, then between the pairs of clusters that are left.
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

@@ -1,3 +1,4 @@
+// Tests of polygons and boxes against planes.
 #include "visibility/facing.hpp"
 
 #include <algorithm>

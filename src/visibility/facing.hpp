@@ -1,4 +1,4 @@
-// Which one-sided polygons have each other before them: those behind each other exchange no light.
+// Which one-sided polygons face each other: others exchange no light.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace enfilade {
 
-/// What a side of the visibility's plane tests is worth: closer to a plane is in it. A share of the
-/// cells' tolerance: the rounding of turned and moved coordinates, far below what a file means.
+/// A point closer than this to a plane lies in it, in all plane tests of visibility. It stands for
+/// the rounding of turned and moved coordinates, far below the precision of a scene file.
 inline double rounding_m(double tolerance_m) { return 1e-3 * tolerance_m; }
 
 /// Has the polygon a vertex more than `flat_m` in front of the plane?

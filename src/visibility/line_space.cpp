@@ -1,7 +1,7 @@
+// Cutting a line space down by the penumbrae of its windows, and crossing it with planes.
 #include "visibility/line_space.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/sampling.hpp"
@@ -10,57 +10,8 @@
 namespace enfilade {
 namespace {
 
-constexpr std::size_t most_points = 12;  // of a side; more are replaced by the corners of its box
-
-void add_distinct(std::vector<Vec3>& points, const Polygon& polygon) {
-  for (const Vec3& p : polygon) {
-    if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
-  }
-}
-
-struct Corners {
-  std::vector<Vec3> points;
-  double volume_m3 = 0.0;
-};
-
-// Of the smallest box along the axes that holds all parts.
-Corners corners(const std::vector<LineSpacePart>& parts, const std::array<Vec3, 3>& axes) {
-  Box box;
-  for (const LineSpacePart& part : parts) box.add(bounds_along(part.polygon(), axes));
-  Corners found;
-  for (const Vec3& c : box.corners()) {
-    found.points.push_back(c.x * axes[0] + c.y * axes[1] + c.z * axes[2]);
-  }
-  const Vec3 e = box.extent();
-  found.volume_m3 = e.x * e.y * e.z;
-  return found;
-}
-
-// A frame that follows the largest of the parts: rooms and furniture stand at any angle.
-std::array<Vec3, 3> frame_of(const std::vector<LineSpacePart>& parts) {
-  const auto area = [](const LineSpacePart& part) { return area_m2(part.polygon()); };
-  const auto largest = std::max_element(
-      parts.begin(), parts.end(),
-      [&](const LineSpacePart& a, const LineSpacePart& b) { return area(a) < area(b); });
-  const Polygon& polygon = largest->polygon();
-  Vec3 along(0.0);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    if (glm::dot(edge, edge) > glm::dot(along, along)) along = edge;
-  }
-  const Vec3& n = largest->plane().n;
-  along = glm::normalize(along - glm::dot(along, n) * n);
-  return {n, along, glm::cross(n, along)};
-}
-
-std::vector<Vec3> corners(const std::vector<LineSpacePart>& parts) {
-  Corners straight = corners(parts, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
-  Corners turned = corners(parts, frame_of(parts));
-  // A frame of a sliver is no frame.
-  return turned.volume_m3 < straight.volume_m3 ? turned.points : straight.points;
-}
-
-// The part of the points' hull in front of the plane (d >= 0), as points; `sign` -1 for behind.
+// Points whose hull is the part of the points' hull in front of the plane (`sign` 1) or behind it
+// (-1).
 std::vector<Vec3> clip_points(const std::vector<Vec3>& points, const Plane& plane, double sign) {
   const auto in_front = [&](const Vec3& p) { return sign * plane.signed_distance(p) >= 0.0; };
   if (std::all_of(points.begin(), points.end(), in_front)) return points;
@@ -84,6 +35,7 @@ bool is_within(const Polygon& polygon, const HalfSpaces& spaces, double slack_m)
   });
 }
 
+// Cuts the parts of a side to the half spaces; false where no part is left.
 bool cut_side(LineSpaceSide& side, const HalfSpaces& spaces, double slack_m) {
   std::vector<LineSpacePart> kept;
   bool cut = false;
@@ -95,7 +47,7 @@ bool cut_side(LineSpaceSide& side, const HalfSpaces& spaces, double slack_m) {
     cut = true;
     if (outside(part.polygon(), spaces, slack_m)) continue;
     Polygon polygon = clip_to(part.polygon(), spaces, slack_m);
-    // What only the slack has left touches the border, no more.
+    // A remainder no wider than the slack only touches the border.
     if (polygon.size() < 3 || area_m2(polygon) <= 4.0 * slack_m * diameter(polygon)) continue;
     kept.push_back(part.cut_to(std::move(polygon)));
   }
@@ -107,7 +59,7 @@ bool cut_side(LineSpaceSide& side, const HalfSpaces& spaces, double slack_m) {
   return !side.parts.empty();
 }
 
-// What lines from these points through the window stay in beyond it.
+// Half spaces that lines from these points through the window stay in beyond it.
 HalfSpaces penumbra(const std::vector<Vec3>& points, const Window& window, double direction,
                     double slack_m) {
   HalfSpaces spaces;
@@ -119,44 +71,6 @@ HalfSpaces penumbra(const std::vector<Vec3>& points, const Window& window, doubl
   return spaces;
 }
 
-// Of a triangle no number is drawn for which triangle of the fan it is.
-Vec3 point_on(const Polygon& p, Random& random) {
-  if (p.size() > 3) return random_point(p, random);
-  const double r1 = random.uniform(), r2 = random.uniform();
-  return point_in_triangle(p[0], p[1], p[2], r1, r2);
-}
-
-bool passes(const Window& window, const Vec3& p, const Vec3& d) {
-  const double along = glm::dot(window.n, d);
-  if (along == 0.0) return false;
-  const Vec3 hit = p + glm::dot(window.n, window.polygon[0] - p) / along * d;
-  const Vec3 n = normal(window.polygon);
-  return contains_within(window.polygon, n, hit, 0.0);
-}
-
-// From a point of the side on, through point w of a window, to the other side.
-std::optional<SampledLine> line_through(const LineSpace& lines, bool from_a, const Vec3& w,
-                                        Random& random) {
-  const LineSpaceSide &near = from_a ? lines.a : lines.b, &far = from_a ? lines.b : lines.a;
-  const LineSpacePart& start = near.parts[random.below(near.parts.size())];
-  const Vec3 p = point_on(start.polygon(), random);
-  const Vec3 d = w - p;
-  if (glm::dot(start.plane().n, d) <= 0.0) return {};
-  for (const Window& window : lines.windows) {
-    if (!passes(window, p, d)) return {};
-  }
-  for (const LineSpacePart& part : far.parts) {
-    const Plane& plane = part.plane();
-    const double along = glm::dot(plane.n, d);
-    if (along >= 0.0) continue;
-    const double t = -plane.signed_distance(p) / along;
-    if (t <= 1.0 || !contains_within(part.polygon(), plane.n, p + t * d, 0.0)) continue;
-    const Vec3 q = p + t * d;
-    return from_a ? SampledLine{&start, &part, p, q} : SampledLine{&part, &start, q, p};
-  }
-  return {};
-}
-
 // On which side of the plane the side lies: 1 in front, -1 behind, 0 on both or in it.
 int where(const LineSpaceSide& side, const Plane& plane, double tolerance_m) {
   double lowest = 0.0, highest = 0.0;
@@ -165,7 +79,8 @@ int where(const LineSpaceSide& side, const Plane& plane, double tolerance_m) {
     const auto [low, high, sum] = distances(part.polygon(), plane);
     lowest = std::min(lowest, low);
     highest = std::max(highest, high);
-    // A polygon in the plane itself: nothing there hides what it looks at.
+    // A polygon that lies in the plane is on the side that it faces: nothing in the plane hides
+    // that.
     const double facing = glm::dot(part.plane().n, plane.n);
     if (std::max(high, -low) > 2.0 * tolerance_m || std::abs(facing) < 0.5) continue;
     (facing < 0.0 ? flat_front : flat_back) = true;
@@ -204,20 +119,9 @@ Polygon crossings(const std::vector<Vec3>& from, const std::vector<Vec3>& to, co
 
 }  // namespace
 
-LineSpaceSide side_of(std::vector<LineSpacePart> parts) {
-  LineSpaceSide side;
-  for (const LineSpacePart& part : parts) {
-    side.box.add(bounds(part.polygon()));
-    if (side.points.size() <= most_points) add_distinct(side.points, part.polygon());
-  }
-  if (side.points.size() > most_points) side.points = corners(parts);
-  side.parts = std::move(parts);
-  return side;
-}
-
 bool drop_averted(LineSpace& lines, double flat_m) {
   LineSpaceSide &a = lines.a, &b = lines.b;
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 2; ++pass) {  // the first pass may make sides smaller
     for (auto [side, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
       const std::size_t before = side->parts.size();
       std::erase_if(side->parts, [&](const LineSpacePart& part) {
@@ -231,7 +135,7 @@ bool drop_averted(LineSpace& lines, double flat_m) {
     }
   }
   if (a.parts.size() > 1 || b.parts.size() > 1) return true;
-  // One polygon against one: only what lies before the other takes part.
+  // One polygon against one: only the part in front of the other exchanges light.
   for (auto [side, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
     const LineSpacePart part = side->parts[0];
     const Plane& plane = other->parts[0].plane();
@@ -312,31 +216,6 @@ std::optional<LineSpaceCrossing> crossing(const LineSpace& lines, const Plane& p
     last_stop = stop;
   }
   return {};
-}
-
-std::optional<SampledLine> draw_line(const LineSpace& lines, Random& random) {
-  constexpr int tries = 4;
-  for (int k = 0; k < tries; ++k) {
-    if (lines.windows.empty()) {
-      if (auto line = draw_any_line(lines, random)) return line;
-      continue;
-    }
-    const Window& window = lines.windows[random.below(lines.windows.size())];
-    const Vec3 w = point_on(window.polygon, random);
-    if (auto line = line_through(lines, random.below(2) == 0, w, random)) return line;
-  }
-  return {};
-}
-
-std::optional<SampledLine> draw_any_line(const LineSpace& lines, Random& random) {
-  const LineSpacePart& from = lines.a.parts[random.below(lines.a.parts.size())];
-  const LineSpacePart& to = lines.b.parts[random.below(lines.b.parts.size())];
-  const Vec3 p = point_on(from.polygon(), random);
-  const Vec3 q = point_on(to.polygon(), random);
-  if (from.plane().signed_distance(q) <= 0.0 || to.plane().signed_distance(p) <= 0.0) {
-    return {};
-  }
-  return SampledLine{&from, &to, p, q};
 }
 
 }  // namespace enfilade

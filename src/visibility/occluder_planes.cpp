@@ -1,3 +1,4 @@
+// Occluders by plane, with a tree of boxes where a plane has many.
 #include "visibility/occluder_planes.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::size_t many_parts = 24;
+constexpr std::size_t many_parts = 24;  // from here on a tree of boxes is faster than a loop
 constexpr double flat_relative = 1e-9;  // of the diagonal: rounding, beside coordinates' own
 
 double rounding(const Box& box) {
@@ -25,7 +26,7 @@ OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
   if (box.empty()) return;
   const double flat_m = rounding(box);
   sliver_m_ = 4.0 * flat_m;
-  // What is not flat blocks as the ray tracer has it: as a fan of triangles.
+  // A polygon that is not flat blocks as it does in the ray tracer: as a fan of triangles.
   std::vector<Piece> parts;
   std::vector<std::uint32_t> of;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {

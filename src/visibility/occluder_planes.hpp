@@ -1,4 +1,4 @@
-// What blocks in each plane: walls are many polygons, but hide what lies behind them as one.
+// The occluders in each plane: a wall is many polygons, but hides what lies behind it as one.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,14 @@ class OccluderPlanes {
 
   std::size_t size() const { return planes_.size(); }
   const Plane& plane(std::uint32_t k) const { return planes_[k].plane; }
-  /// Of a polygon that is not flat, the plane of its first triangle.
+  /// For a polygon that is not flat, the plane of its first triangle.
   std::uint32_t plane_of_polygon(std::uint32_t polygon) const { return plane_of_polygon_[polygon]; }
 
   bool is_flat(std::uint32_t polygon) const { return flat_[polygon]; }
 
-  /// What of `openings` (convex, in plane k) no polygon covers; those in `skip` (sorted) do not
-  /// count. Gives up, with the openings that it has by then, beyond `max_pieces` of them.
+  /// The parts of `openings` (convex, in plane k) that no polygon covers; polygons in `skip`
+  /// (sorted) do not cover. Stops at more than `max_pieces` parts and returns them, larger than
+  /// they are.
   std::vector<Polygon> uncovered(std::uint32_t k, std::vector<Polygon> openings,
                                  std::span<const std::uint32_t> skip, std::size_t max_pieces) const;
 
@@ -33,12 +34,12 @@ class OccluderPlanes {
   struct Part {
     Polygon polygon;
     Box box;
-    std::uint32_t of = 0;  ///< the polygon that it is (a triangle of)
+    std::uint32_t of = 0;  ///< the polygon that it is, or is a triangle of
   };
   struct Occluders {
     Plane plane;
     std::vector<Part> parts;
-    std::unique_ptr<BoxTree> tree;  ///< where there are many
+    std::unique_ptr<BoxTree> tree;  ///< over the parts, where there are many
   };
 
   std::vector<Occluders> planes_;

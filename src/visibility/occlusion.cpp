@@ -1,3 +1,4 @@
+// Proofs that two sides are hidden from each other, plane by plane.
 #include "visibility/occlusion.hpp"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 #include <cmath>
 
 #include "visibility/facing.hpp"
+#include "visibility/line_sampling.hpp"
 
 namespace enfilade {
 namespace {
@@ -19,7 +21,8 @@ std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
 
 using Halves = std::array<std::vector<LineSpacePart>, 2>;
 
-/// What lies in front of the plane last. What lies in it is on the side that it looks to.
+/// The parts behind the plane, then those in front of it. A part that lies in the plane is on the
+/// side that it faces.
 Halves cut_along(const LineSpaceSide& side, const Plane& plane, double flat_m) {
   Halves halves;
   for (const LineSpacePart& part : side.parts) {
@@ -38,7 +41,8 @@ Halves cut_along(const LineSpaceSide& side, const Plane& plane, double flat_m) {
   return halves;
 }
 
-/// By position where there are several, else cut in the middle.
+/// Several parts are divided by position along the longest axis; a single part is cut in the
+/// middle.
 Halves halves_of(const LineSpaceSide& side) {
   Plane plane;
   const int axis = side.box.longest_axis();
@@ -55,7 +59,7 @@ Halves halves_of(const LineSpaceSide& side) {
   return cut_along(side, plane, 0.0);
 }
 
-/// Larger by `margin_m` on all sides.
+/// The polygon with every edge moved outwards by `margin_m`.
 Polygon grown(const Polygon& polygon, const Vec3& n, double margin_m) {
   Polygon larger;
   const std::size_t size = polygon.size();
@@ -74,10 +78,10 @@ Polygon grown(const Polygon& polygon, const Vec3& n, double margin_m) {
   return larger;
 }
 
-// Has the lines passed this plane before, with hardly less open then?
+// Do the lines pass a window in this plane already that was hardly larger than what is open now?
 bool is_known(const LineSpace& lines, const Plane& plane, const LineSpaceCrossing& at,
               double open_m2, double flat_m) {
-  constexpr double much = 0.9;
+  constexpr double much = 0.9;  // a window that shrinks by less is no progress
   for (std::size_t i = at.first; i < at.end; ++i) {
     const Polygon& window = lines.windows[i].polygon;
     if (lies_in(window, plane, flat_m) && open_m2 > much * area_m2(window)) return true;
@@ -127,7 +131,7 @@ bool Occlusion::is_hidden(const WindowView& view) const {
   LineSpace lines;
   lines.a = side_of(std::move(parts));
   lines.b = side_of({LineSpacePart(LineSpacePart::no_number, window, back)});
-  // To leave windows out only adds lines: a proof for all of those holds for fewer.
+  // Leaving windows out only adds lines, so that a proof for the last few holds for all.
   for (const Window& w : view.path.last(std::min(config_.window_path, view.path.size()))) {
     lines.windows.push_back({grown(w.polygon, w.n, tolerance_m_), w.n});
   }
@@ -169,7 +173,8 @@ bool Occlusion::find_open_line(const LineSpace& lines, Proof& proof, int rays,
 
 Occlusion::Barrier Occlusion::best_barrier(const LineSpace& lines,
                                            std::span<const Suspect> suspects) const {
-  // A flat one hides nothing from itself: where it lies in the plane, it looks away from the rest.
+  // A flat polygon at an end hides nothing from itself: where it lies in the plane, it faces away
+  // from the rest.
   std::vector<std::uint32_t> ends;
   for (const LineSpaceSide* side : {&lines.a, &lines.b}) {
     for (const LineSpacePart& part : side->parts) {
@@ -200,7 +205,7 @@ Occlusion::Barrier Occlusion::best_barrier(const LineSpace& lines,
 LineSpace Occlusion::through(const LineSpace& lines, const Barrier& barrier,
                              const Polygon& window) const {
   const Plane& plane = planes_.plane(barrier.plane);
-  // The stop before it tells from which side the lines comes.
+  // The window (or side) before the barrier says from which side of the plane the lines come.
   const std::vector<Vec3>& last =
       barrier.first == 0 ? lines.a.points : lines.windows[barrier.first - 1].polygon;
   double farthest = 0.0;
@@ -228,7 +233,7 @@ Sight Occlusion::settle(LineSpace lines, Proof& proof, int rays) const {
   ++proof.depth;
   Sight sight = Sight::hidden;
   if (barrier.open_share > config_.most_open) {
-    sight = take_apart(lines, suspects, proof);
+    sight = subdivide(lines, suspects, proof);
   } else {
     for (const Polygon& window : barrier.windows) {
       sight = settle(through(lines, barrier, window), proof, config_.rays);
@@ -239,10 +244,10 @@ Sight Occlusion::settle(LineSpace lines, Proof& proof, int rays) const {
   return sight;
 }
 
-// A side that lies on both sides of what stops most rays is cut there: beyond it, it may be hidden
-// at once. Else the longer side is cut in the middle.
-Sight Occlusion::take_apart(const LineSpace& lines, std::span<const Suspect> suspects,
-                            Proof& proof) const {
+// A side that lies on both sides of the plane that stops most rays is cut along it: the part beyond
+// it may be hidden at once. Otherwise the longer side is cut in the middle.
+Sight Occlusion::subdivide(const LineSpace& lines, std::span<const Suspect> suspects,
+                           Proof& proof) const {
   for (const Suspect& suspect : suspects) {
     for (const bool cut_a : {true, false}) {
       Halves halves =
@@ -263,7 +268,7 @@ Sight Occlusion::settle(const LineSpace& lines, bool cut_a, Halves& halves, Proo
     LineSpace part = lines;
     (cut_a ? part.a : part.b) = side_of(std::move(half));
     const Sight sight = settle(std::move(part), proof, config_.rays);
-    if (sight != Sight::hidden) return sight;  // one line more or less makes no difference
+    if (sight != Sight::hidden) return sight;  // the whole is not hidden then
   }
   return Sight::hidden;
 }

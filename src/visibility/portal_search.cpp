@@ -1,3 +1,4 @@
+// The search keeps its own stack: sequences may be longer than the call stack is deep.
 #include "visibility/portal_search.hpp"
 
 #include <algorithm>
@@ -8,9 +9,31 @@ namespace {
 
 using SourceList = std::vector<const SourcePolygon*>;
 
-// More source points than this are replaced by the corners of their box.
+// The points of a source, if more than this, are replaced by the corners of their box.
 constexpr std::size_t most_points = 48;
 
+/// A sequence of portals: what lines through it pass, and where they lie beyond its last window.
+struct Path {
+  std::vector<Window> windows;
+  HalfSpaces within;
+};
+
+/// A cell that the search has entered. Its doorways are tried in their order; then the search goes
+/// back to the cell that it came from.
+struct Step {
+  CellId cell;
+  SourceList source;                ///< the polygons that the last window faces, cut there
+  std::deque<SourcePolygon> cut{};  ///< owns those of `source` that were cut: addresses stay
+  std::size_t next_doorway = 0;
+  std::uint32_t portal = no_portal;  ///< by which the cell was entered
+  std::uint32_t path_before = 0;     ///< the path that the portal was on until then, 0 = none
+  std::size_t spaces_before = 0;     ///< half spaces of the path without this step
+  bool begins_path = false;          ///< a path of its own, dropped with this step
+  static constexpr std::uint32_t no_portal = 0xFFFFFFFFu;
+};
+
+/// Depth-first search with a stack of its own: in a building whose walls have many layers a
+/// sequence can pass tens of thousands of portals.
 class Search {
  public:
   Search(const DoorwayMap& doorways, std::span<const SourcePolygon> source, int max_passes,
@@ -20,50 +43,75 @@ class Search {
         max_passes_(max_passes),
         visit_(visit),
         is_hidden_(is_hidden),
-        on_path_(doorways.portals(), 0),
+        path_of_portal_(doorways.portals(), 0),
         passes_(2 * doorways.portals(), 0) {
     for (const SourcePolygon& s : source) all_.push_back(&s);
   }
 
-  const SourceList& all() const { return all_; }
-
-  void enter(CellId cell, const SourceList& source, const HalfSpaces& within) {
-    for (const Doorway& doorway : doorways_.of(cell)) {
-      if (on_path_[doorway.portal] || passes_[doorway.number] > max_passes_) continue;
-      if (outside(doorway.box, within, slack_m_)) continue;
-      const Polygon window = clip_to(doorway.polygon, within, slack_m_);
-      if (window.size() < 3) continue;
-      if (passes_[doorway.number]++ < max_passes_) {
-        pass(doorway, window, source, within);
+  void run(CellId start) {
+    paths_.emplace_back();
+    steps_.push_back({start, all_});
+    while (!steps_.empty()) {
+      Step& here = steps_.back();
+      const std::span<const Doorway> doorways = doorways_.of(here.cell);
+      if (here.next_doorway < doorways.size()) {
+        try_doorway(doorways[here.next_doorway++]);
       } else {
-        // Any other sequence may follow, also through the portals that this one came by.
-        std::vector<char> path(on_path_.size(), 0);
-        std::vector<Window> windows;
-        std::swap(path, on_path_);
-        std::swap(windows, windows_);
-        pass(doorway, doorway.polygon, all_, {});
-        std::swap(windows, windows_);
-        std::swap(path, on_path_);
+        go_back();
       }
     }
   }
 
  private:
-  void pass(const Doorway& doorway, const Polygon& window, const SourceList& source,
-            const HalfSpaces& within) {
-    std::deque<SourcePolygon> clipped;
-    const SourceList facing = in_sight(source, window, doorway.plane, clipped);
-    if (facing.empty()) return;
-    if (is_hidden_ && is_hidden_({facing, windows_, window, doorway.plane})) return;
-    HalfSpaces beyond = within;
-    beyond.push_back({doorway.plane.n, doorway.plane.d - slack_m_});
-    add_penumbra(points_of(facing), window, doorway.plane.n, slack_m_, beyond);
-    visit_({doorway.leads_to, window, beyond});
-    on_path_[doorway.portal] = 1;
-    windows_.push_back({window, doorway.plane.n});
-    enter(doorway.leads_to, facing, beyond);
-    windows_.pop_back();
-    on_path_[doorway.portal] = 0;
+  void try_doorway(const Doorway& doorway) {
+    if (path_of_portal_[doorway.portal] == paths_.size()) return;
+    if (passes_[doorway.number] > max_passes_) return;
+    const HalfSpaces& within = paths_.back().within;
+    if (outside(doorway.box, within, slack_m_)) return;
+    Polygon window = clip_to(doorway.polygon, within, slack_m_);
+    if (window.size() < 3) return;
+    if (passes_[doorway.number]++ < max_passes_) {
+      pass(doorway, window, steps_.back().source, false);
+    } else {
+      // Any other sequence may follow, also through the portals that this one came by.
+      paths_.emplace_back();
+      if (!pass(doorway, doorway.polygon, all_, true)) paths_.pop_back();
+    }
+  }
+
+  /// Enters the cell beyond the doorway; false where nothing of the source sees through the window.
+  bool pass(const Doorway& doorway, const Polygon& window, const SourceList& source,
+            bool begins_path) {
+    Step step;
+    step.cell = doorway.leads_to;
+    step.source = in_sight(source, window, doorway.plane, step.cut);
+    if (step.source.empty()) return false;
+    Path& path = paths_.back();
+    if (is_hidden_ && is_hidden_({step.source, path.windows, window, doorway.plane})) return false;
+    step.spaces_before = path.within.size();
+    path.within.push_back({doorway.plane.n, doorway.plane.d - slack_m_});
+    add_penumbra(points_of(step.source), window, doorway.plane.n, slack_m_, path.within);
+    visit_({doorway.leads_to, window, path.within});
+    path.windows.push_back({window, doorway.plane.n});
+    step.portal = doorway.portal;
+    step.path_before = path_of_portal_[doorway.portal];
+    step.begins_path = begins_path;
+    path_of_portal_[doorway.portal] = static_cast<std::uint32_t>(paths_.size());
+    steps_.push_back(std::move(step));
+    return true;
+  }
+
+  void go_back() {
+    const Step& last = steps_.back();
+    if (last.begins_path) {
+      paths_.pop_back();
+    } else if (last.portal != Step::no_portal) {
+      Path& path = paths_.back();
+      path.windows.pop_back();
+      path.within.resize(last.spaces_before);
+    }
+    if (last.portal != Step::no_portal) path_of_portal_[last.portal] = last.path_before;
+    steps_.pop_back();
   }
 
   // The source polygons that have the window before them and lie on this side of it, cut there.
@@ -108,9 +156,10 @@ class Search {
   const std::function<void(const CellView&)>& visit_;
   const IsHidden& is_hidden_;
   SourceList all_;
-  std::vector<char> on_path_;
-  std::vector<int> passes_;      ///< by doorway
-  std::vector<Window> windows_;  ///< passed on the way here
+  std::vector<Path> paths_;                    ///< the last one is followed
+  std::deque<Step> steps_;                     ///< no step moves: `source` points into `cut`
+  std::vector<std::uint32_t> path_of_portal_;  ///< the last path that passes it, from 1; 0 = none
+  std::vector<int> passes_;                    ///< by doorway
 };
 
 }  // namespace
@@ -133,8 +182,7 @@ DoorwayMap::DoorwayMap(const CellComplex& complex)
 void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
                     int max_passes, const std::function<void(const CellView&)>& visit,
                     const IsHidden& is_hidden) {
-  Search search(doorways, source, max_passes, visit, is_hidden);
-  search.enter(start, search.all(), {});
+  Search(doorways, source, max_passes, visit, is_hidden).run(start);
 }
 
 }  // namespace enfilade

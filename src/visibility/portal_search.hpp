@@ -1,5 +1,5 @@
-// Depth-first search along the sequences of portals that lines from a source can take (§3.2;
-// Teller).
+// Depth-first search along the portal sequences that lines from a source can pass (§3.2; Teller
+// 1992).
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 
 namespace enfilade {
 
-/// The portals of a cell, each seen from inside it.
+/// One way through a portal, as seen from inside a cell.
 struct Doorway {
   std::uint32_t portal = 0;
-  std::uint32_t number = 0;  ///< of this way through the portal
+  std::uint32_t number = 0;  ///< of the way: 2 * portal, or 2 * portal + 1 for the opposite way
   CellId leads_to;
   Polygon polygon;
   Plane plane;  ///< facing away from the cell
   Box box;
 };
 
-/// Doorways by cell, and which cells hang together at all.
+/// The doorways of each cell.
 class DoorwayMap {
  public:
   explicit DoorwayMap(const CellComplex& complex);
@@ -39,7 +39,8 @@ class DoorwayMap {
   double slack_m_ = 0.0;
 };
 
-/// A view into a cell: through which part of its doorway, and within which half spaces.
+/// A view into a cell: the part of the doorway that lines pass, and the half spaces that they stay
+/// in beyond it. Valid during the call alone.
 struct CellView {
   CellId cell;
   const Polygon& window;
@@ -60,13 +61,15 @@ struct WindowView {
   const Polygon& window;
   const Plane& plane;  ///< facing away from the source
 };
-/// Is the next window proved hidden? No sequence through it is followed then. May be empty.
+/// Is the next window proved hidden? Then no sequence through it is followed. May be empty.
 using IsHidden = std::function<bool(const WindowView&)>;
 
-/// Calls `visit` for every cell that is entered, once for each sequence of portals. A doorway that
-/// has been passed `max_passes` times is passed once more with nothing but the source and the
-/// doorway itself to say what is seen beyond, which covers every further sequence through it: the
-/// cost is bounded by the number of doorways within reach, and no line is ever left out.
+/// Calls `visit` for every cell that is entered, once for each portal sequence, depth first. A
+/// doorway that has been passed `max_passes` times is passed once more on a path of its own: only
+/// the source and the doorway itself limit the view beyond, which covers every further sequence
+/// through it. The cost is therefore bounded by the number of doorways within reach, and no line is
+/// ever left out. `is_hidden` is called before `visit`. Memory grows with the length of the
+/// sequence, the call stack does not.
 void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
                     int max_passes, const std::function<void(const CellView&)>& visit,
                     const IsHidden& is_hidden = {});

@@ -1,4 +1,4 @@
-// G_cell: a cell sees what lies beyond its portals, as far as a straight line can pass them.
+// G_cell: a cell sees the cells that a straight line through its portals can reach.
 #include <algorithm>
 #include <set>
 

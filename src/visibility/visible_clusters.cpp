@@ -13,7 +13,7 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double portals_share = 0.3;  // of the time, about
+constexpr double portals_share = 0.3;  // of the time, about: for the progress that is reported
 
 class ClusterVisibility {
  public:
@@ -37,7 +37,7 @@ class ClusterVisibility {
   }
 
   std::vector<Pair> pairs(const Progress& progress) {
-    std::vector<Pair> seen;  // (who looks, who is seen), for different cells
+    std::vector<Pair> seen;  // (source, cluster in view), for different cells
     std::vector<Pair> result;
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       if (i % 64 == 0) {
@@ -46,8 +46,8 @@ class ClusterVisibility {
             portals_share * static_cast<double>(i) / static_cast<double>(parts_.size()));
       }
       for (const CellPart& part : parts_[i]) {
-        look_around(i, part, result);
-        look_out(i, part, seen);
+        add_same_cell(i, part, result);
+        add_other_cells(i, part, seen);
       }
     }
     keep_mutual(seen, result);
@@ -59,7 +59,7 @@ class ClusterVisibility {
     std::uint32_t cluster, part;
   };
 
-  // Both directions are conservative by themselves, so what only one of them sees is not there.
+  // Each direction is conservative by itself, so that a pair seen in one direction alone is hidden.
   void keep_mutual(std::vector<Pair>& seen, std::vector<Pair>& result) const {
     std::sort(seen.begin(), seen.end());
     for (const auto& [a, b] : seen) {
@@ -70,13 +70,13 @@ class ClusterVisibility {
     }
   }
 
-  // The first part has all of a cluster's polygons.
+  // A cluster's first part has all of its polygons.
   bool face_each_other(const CellPart& a, const CellPart& b) const {
     return enfilade::face_each_other(a.polygons, a.box, b.polygons, b.box,
                                      rounding_m(doorways_.slack_m()));
   }
 
-  void look_around(std::uint32_t i, const CellPart& part, std::vector<Pair>& result) const {
+  void add_same_cell(std::uint32_t i, const CellPart& part, std::vector<Pair>& result) const {
     for (const Member& m : in_cell_[part.cell.index()]) {
       const CellPart& other = parts_[m.cluster][m.part];
       if (m.cluster > i && face_each_other(part, other)) {
@@ -85,9 +85,9 @@ class ClusterVisibility {
     }
   }
 
-  void look_out(std::uint32_t i, const CellPart& part, std::vector<Pair>& seen) {
+  void add_other_cells(std::uint32_t i, const CellPart& part, std::vector<Pair>& seen) {
     const auto visit = [&](const CellView& view) {
-      if (view.cell == part.cell) return;  // all of it was judged already
+      if (view.cell == part.cell) return;  // pairs within a cell are found by add_same_cell
       for (const Member& m : in_cell_[view.cell.index()]) {
         if (m.cluster == i || seen_by_[m.cluster] == i) continue;
         if (!in_view(parts_[m.cluster][m.part], view)) continue;
@@ -98,7 +98,7 @@ class ClusterVisibility {
     search_portals(doorways_, part.cell, part.polygons, config_.max_passes, visit, is_hidden_);
   }
 
-  // Is some of it within the view, with the window before it?
+  // Does a polygon of the part lie within the view and face the window?
   bool in_view(const CellPart& part, const CellView& view) const {
     const double slack_m = doorways_.slack_m();
     if (outside(part.box, view.within, slack_m)) return false;
@@ -116,7 +116,7 @@ class ClusterVisibility {
   std::vector<std::uint32_t> seen_by_;  ///< the last cluster that saw this one
 };
 
-// What the windows' proofs leave, pair by pair.
+// Tries the pairs that are left after the windows, one by one, and drops those proved hidden.
 void drop_hidden(std::vector<Pair>& pairs, const Occlusion& occlusion,
                  const OcclusionConfig& config, const Progress& progress) {
   const std::size_t share = config.all_parts / std::max<std::size_t>(pairs.size(), 1);

@@ -1,3 +1,4 @@
+// Openings of one plane that touch are joined, and the rim of each such aperture is walked.
 #include "cells/partition/apertures.hpp"
 
 #include <algorithm>
@@ -11,9 +12,10 @@ struct Opening {
   const Polygon* polygon;
   Box box;
   std::uint32_t interface;
-  Vec3 n;  ///< by its own order of vertices
+  Vec3 n;  ///< by the polygon's own order of vertices
 };
 
+/// The openings of one cut, joined by union-find into apertures.
 class Apertures {
  public:
   Apertures(std::span<LeafInterface> faces, const BspCut& cut,
@@ -71,7 +73,8 @@ class Apertures {
     }
     return false;
   }
-  /// Looks just beyond each part of the opening's rim: open again, covered, or neither.
+  /// Tests points just beyond the opening's rim: each is open again, covered, or neither. Adds the
+  /// rim's length that is not open to `rim`, of that the length that is covered to `framed`.
   void walk_rim(std::uint32_t i, std::vector<double>& rim, std::vector<double>& framed) {
     const Opening& o = openings_[i];
     const std::uint32_t whole = find(i);
@@ -81,7 +84,7 @@ class Apertures {
       const double length = glm::length(along);
       if (length <= reach_m_) continue;
       const Vec3 out = glm::cross(along / length, o.n) * reach_m_;
-      constexpr int steps = 8;
+      constexpr int steps = 8;  // points tested along an edge
       for (int k = 0; k < steps; ++k) {
         const Vec3 q = a + (k + 0.5) / steps * along + out;
         if (is_open(q)) continue;

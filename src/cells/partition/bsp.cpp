@@ -1,3 +1,4 @@
+// Builds the partition with a stack of jobs: its depth is not bounded by the logarithm of its size.
 #include "cells/partition/bsp.hpp"
 
 #include <algorithm>
@@ -7,14 +8,16 @@
 namespace enfilade {
 namespace {
 
+/// The part of a piece that lies in one region.
 struct Fragment {
   std::uint32_t plane;
   bool same_facing;
-  bool on_border;  ///< of the region: its plane has been cut along
+  bool on_border;  ///< lies in the region's border, since its plane has been cut along
   double area;
   Polygon polygon;
 };
 
+/// A region that is still to be cut, or to become a leaf.
 struct Job {
   std::int32_t node;
   Region region;
@@ -34,10 +37,13 @@ double border_area(const std::vector<Fragment>& fragments) {
   return sum;
 }
 
-// The plane that hides the largest share of the region's cross-section along it. Each facing is
-// summed by itself, because the two faces of a thin wall cover the same ground. In a building that
-// sprawls no wall hides much of the whole: there one counts that is large beside those that the
-// region has on its border, as no furniture is in a room.
+/// Shares and areas count as different only where they differ by more than this share of them.
+constexpr double rounding = 1e-6;
+
+// The plane that covers the largest share of the region's cross-section along it. Each facing is
+// summed by itself, because the two faces of a thin wall cover the same ground. In a sprawling
+// building no wall covers much of the whole: there a plane counts that is large beside the walls on
+// the region's border, which no furniture in a room is.
 Choice most_occluding(const Job& job, const PlaneSet& planes, const CellComplex::Config& config,
                       double tolerance) {
   Choice best;
@@ -55,9 +61,9 @@ Choice most_occluding(const Job& job, const PlaneSet& planes, const CellComplex:
     if (whole <= tolerance * tolerance) continue;
     const double share = std::min(1.0, area / whole);
     if (share < config.min_occlusion && area < least_area) continue;
-    const bool clearly = share > best.share * (1.0 + 1e-6);
-    const bool level = !clearly && share >= best.share * (1.0 - 1e-6);
-    if (clearly || (level && area > best.area * (1.0 + 1e-6))) {
+    const bool clearly = share > best.share * (1.0 + rounding);
+    const bool level = !clearly && share >= best.share * (1.0 - rounding);
+    if (clearly || (level && area > best.area * (1.0 + rounding))) {
       best = {true, all[begin].plane, share, area, std::move(section)};
     }
   }
@@ -69,15 +75,16 @@ struct Sides {
   std::vector<InPlane> in_plane;
 };
 
-void put(const Fragment& like, Polygon polygon, std::vector<Fragment>& list) {
+void add_part(const Fragment& like, Polygon polygon, std::vector<Fragment>& list) {
   const double area = area_m2(polygon);
   if (polygon.size() >= 3 && area > 0.0) {
     list.push_back({like.plane, like.same_facing, like.on_border, area, std::move(polygon)});
   }
 }
 
-Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const PlaneSet& planes,
-           double tolerance) {
+/// Sorts the fragments of a region to the two sides of a plane that cuts it.
+Sides sort_to_sides(std::vector<Fragment>& fragments, std::uint32_t plane_index,
+                    const PlaneSet& planes, double tolerance) {
   Sides sides;
   const Plane& plane = planes.planes[plane_index];
   for (Fragment& fragment : fragments) {
@@ -86,7 +93,7 @@ Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const Pl
     if (fragment.plane == plane_index || (!any_front && !any_behind)) {
       const Vec3& n = planes.planes[fragment.plane].n;
       const bool same = fragment.same_facing == (glm::dot(n, plane.n) >= 0.0);
-      // It stays, as a part of the border, with the side that it shows its front.
+      // It stays, as a part of the border, on the side that its front faces.
       auto& list = same ? sides.front : sides.behind;
       list.push_back({fragment.plane, fragment.same_facing, true, fragment.area, fragment.polygon});
       if (fragment.on_border) continue;
@@ -98,8 +105,8 @@ Sides deal(std::vector<Fragment>& fragments, std::uint32_t plane_index, const Pl
       sides.behind.push_back(std::move(fragment));
     } else {
       auto [front, behind] = split(fragment.polygon, plane, tolerance);
-      put(fragment, std::move(front), sides.front);
-      put(fragment, std::move(behind), sides.behind);
+      add_part(fragment, std::move(front), sides.front);
+      add_part(fragment, std::move(behind), sides.behind);
     }
   }
   return sides;
@@ -143,7 +150,7 @@ BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region 
     node.plane = planes.planes[choice.plane];
     node.front = static_cast<std::int32_t>(tree.nodes.size());
     node.back = node.front + 1;
-    Sides sides = deal(job.fragments, choice.plane, planes, tolerance_m);
+    Sides sides = sort_to_sides(job.fragments, choice.plane, planes, tolerance_m);
     auto [front, behind] = split_region(job.region, node.plane, choice.section);
     jobs.push_back({node.back, std::move(behind), std::move(sides.behind)});
     jobs.push_back({node.front, std::move(front), std::move(sides.front)});

@@ -11,14 +11,14 @@
 
 namespace enfilade {
 
-/// Part of a piece that lies in a node's plane.
+/// The part of a piece that lies in a node's plane.
 struct InPlane {
   Polygon polygon;
   Box box;
-  bool same_facing = true;  ///< as the node's plane
+  bool same_facing = true;  ///< faces the front of the node's plane
 };
 
-/// What a cut through a region looks like: its cross-section and what covers it.
+/// The cut of a node's region by its plane: the cross-section, and the pieces that cover it.
 struct BspCut {
   std::int32_t node = -1;
   std::uint32_t plane = 0;  ///< index in the plane set
@@ -28,11 +28,12 @@ struct BspCut {
 
 struct BspTree {
   std::vector<BspNode> nodes;  ///< root first; at a leaf, `cell` is the leaf's number
-  std::vector<BspCut> cuts;    ///< one an inner node
+  std::vector<BspCut> cuts;    ///< one for each inner node
   std::vector<Region> leaves;
 };
 
-/// Cuts `region` until no plane covers `min_occlusion` of its cross-section.
+/// Cuts `region`, which holds all pieces, until no plane covers `min_occlusion` of a region's
+/// cross-section, or until there are `max_leaves`. Lengths to `tolerance_m`.
 BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region region,
                   const CellComplex::Config& config, double tolerance_m);
 

@@ -19,7 +19,7 @@ Place place_of(const Polygon& polygon, const Plane& plane, double tolerance) {
   return any_front ? Place::front : any_back ? Place::back : Place::in_plane;
 }
 
-// One polygon for parts of one cell where their hull is no larger than they are together.
+// Joins parts of one cell into one polygon where their hull is no larger than their sum.
 void rejoin(std::vector<CellPiece>& parts, const Vec3& n) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = i + 1; j < parts.size();) {

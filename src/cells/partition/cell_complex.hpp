@@ -1,5 +1,5 @@
 // Space cut into cells (rooms, the outside, the insides of solids) that see each other through
-// portals: §4.2 and [10] of the paper.
+// portals: G_cell's nodes and edges (§4.2 and [10] of the paper).
 #pragma once
 
 #include <span>
@@ -25,10 +25,10 @@ struct Cell {
   CellId id;
   CellKind kind = CellKind::room;
   Box bounds;            ///< clipped to the scene's bounds
-  double volume_m3 = 0;  ///< likewise
+  double volume_m3 = 0;  ///< clipped to the scene's bounds
 };
 
-/// A convex planar opening between two cells. Conservative: it covers all that is open there.
+/// A convex planar opening between two cells. Conservative: it covers every opening there.
 struct Portal {
   PortalId id;
   CellId a, b;  ///< a lies in front of the polygon's plane, b behind
@@ -39,7 +39,7 @@ struct Portal {
 struct CellPiece {
   CellId cell;
   Piece piece;
-  bool sealed = false;  ///< no light gets to it (clusters/unreachable_parts.hpp)
+  bool unreachable = false;  ///< no light can reach it (clusters/unreachable_parts.hpp)
 };
 
 class CellComplex {
@@ -59,15 +59,16 @@ class CellComplex {
               double tolerance_m);
 
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Rooms and open space: the cells but the insides of solids.
+  /// Number of rooms and of outside cells: all cells but the insides of solids.
   std::size_t open_cells() const;
   const std::vector<Portal>& portals() const { return portals_; }
   const std::vector<BspNode>& nodes() const { return nodes_; }
   double tolerance_m() const { return tolerance_m_; }
 
-  /// The cell that p lies in; none for the inside of a solid.
+  /// The room or outside that p lies in; none inside a solid and where no cell was kept.
   CellId locate(const Vec3& p) const;
-  /// Cuts a piece at the cells' borders; pieces that lie in one cell are not cut.
+  /// Cuts a piece at the cells' borders; a piece that lies in one cell is not cut. The complex must
+  /// have nodes.
   std::vector<CellPiece> cut(const Piece& piece) const;
 
  private:

@@ -1,4 +1,4 @@
-// The cells, portals and planes as bytes.
+// The cells, portals and nodes of a complex as bytes.
 #include "base/byte_stream.hpp"
 #include "cells/partition/cell_complex.hpp"
 

@@ -1,3 +1,4 @@
+// Each cut's cross-section is pushed down both subtrees, and its covering polygons are cut out.
 #include "cells/partition/interface.hpp"
 
 #include <algorithm>
@@ -65,6 +66,12 @@ double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& 
 
 }  // namespace
 
+double total_area_m2(const std::vector<Polygon>& polygons) {
+  double sum = 0.0;
+  for (const Polygon& polygon : polygons) sum += area_m2(polygon);
+  return sum;
+}
+
 std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m) {
   std::vector<LeafInterface> all;
   const double fine = 1e-3 * sliver_m;
@@ -86,7 +93,7 @@ std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m)
         for (const InPlane& in_plane : cut.covered_by) {
           if (in_plane.box.overlaps(box, sliver_m)) near.push_back(&in_plane);
         }
-        // Once per facing for what each side sees, then both for what nothing covers.
+        // One facing at a time for the area that each side sees; then both, for the openings.
         face.openings = {common};
         face.faces_front_m2 = cover(face.openings, near, true, sliver_m);
         std::vector<Polygon> rest = {std::move(common)};

@@ -1,5 +1,5 @@
-// Where two leaves of the partition touch: how much of it is open, and what each side sees of the
-// rest.
+// The common faces of two leaves of the partition: how much of each is open, and how much of the
+// rest faces either side.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,16 @@ struct LeafInterface {
   double open_m2 = 0.0;           ///< not covered by anything that lies in the plane
   double faces_front_m2 = 0.0;    ///< covered by pieces that face the leaf in front
   double faces_back_m2 = 0.0;     ///< covered by pieces that face the leaf behind
-  double framed_m2 = 0.0;         ///< of what is open: like a door (cells/partition/apertures.hpp)
-  std::vector<Polygon> openings;  ///< convex, disjoint, together all that is open
+  double framed_m2 = 0.0;         ///< open and framed like a door (cells/partition/apertures.hpp)
+  std::vector<Polygon> openings;  ///< convex, disjoint; together they cover all that is open
+
+  /// The leaf on the other side of the face.
+  std::uint32_t other_than(std::uint32_t leaf) const {
+    return front_leaf == leaf ? back_leaf : front_leaf;
+  }
 };
+
+double total_area_m2(const std::vector<Polygon>& polygons);
 
 /// All interfaces with an area, ordered by cut. Openness is never underestimated by more than
 /// slivers thinner than `sliver_m`.

@@ -1,3 +1,4 @@
+// Joining groups: measures are added, contacts are moved to the group that stays.
 #include "cells/partition/leaf_graph.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void add_contact(Contact& to, const Contact& contact) {
   to.framed += contact.framed;
 }
 
-/// Of both together: m2 and m3 alone.
+/// Adds the measures (m2 and m3) of `from` to those of `to`.
 void join_measures(LeafGroup& to, const LeafGroup& from, std::uint32_t from_number) {
   double common = 0.0;
   const auto at = to.contacts.find(from_number);
@@ -81,7 +82,7 @@ void LeafGraph::add(const LeafInterface& face) {
   };
   meet(a, b, in_front);
   meet(b, a, behind);
-  // What is covered and does not face a leaf shows it a back: the inside of something solid.
+  // A covering polygon that does not face a leaf shows it a back: the inside of something solid.
   const double covered = face.area_m2 - face.open_m2;
   groups_[a].front += face.faces_front_m2;
   groups_[a].back += std::max(0.0, covered - face.faces_front_m2);

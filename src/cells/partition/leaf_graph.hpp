@@ -1,4 +1,4 @@
-// Leaves that belong together so far, and how they touch.
+// The graph that merging works on: groups of leaves as nodes, their common faces as edges.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,28 @@ namespace enfilade {
 /// A side of a plane: plane * 2 for the side in front of it, plane * 2 + 1 for the one behind.
 using PlaneSide = std::uint32_t;
 
-/// Areas, m2: of the common face, of what is open of it, and of that what is framed like a door.
+/// Areas, m2: of the common face, of its openings, and of those openings that are framed like a
+/// door.
 struct Contact {
   double area = 0.0, open = 0.0, framed = 0.0;
 };
 
-/// Leaves that belong together so far. A contact is filed under the plane side that this group is
-/// on.
+/// Leaves that have been joined so far. A contact is filed under the side of the plane that this
+/// group lies on.
 struct LeafGroup {
-  double volume = 0.0, front = 0.0, back = 0.0;  ///< m3; m2 of fronts and backs that it is shown
+  double volume = 0.0, front = 0.0, back = 0.0;  ///< m3; m2 of fronts and backs on its border
   std::map<PlaneSide, double> faces;             ///< m2
   std::map<std::uint32_t, std::map<PlaneSide, Contact>> contacts;  ///< by other group
   double own_boundary =
-      -1.0;  ///< m2, less the solids that it has taken in; negative: there are none
+      -1.0;  ///< m2, without the solids that joined it; negative where none has joined
 
-  /// Real models show a room a wrong side here and there; the inside of a solid shows hardly
-  /// anything else.
+  /// The inside of a solid shows hardly anything but backs; real models show a room a few backs as
+  /// well.
   bool is_solid() const { return back > 4.0 * front; }
   bool has_evidence() const { return back + front > 0.0; }
   double boundary() const;
   double open_to(std::uint32_t other) const;
-  /// The largest opening in one side of one plane, to whomever.
+  /// Area of the largest opening in one side of one plane, to all neighbours together, m2.
   double largest_opening() const;
 };
 
@@ -50,7 +51,8 @@ class LeafGraph {
   std::uint32_t find(std::uint32_t i) const;
   bool alive(std::uint32_t i) const { return parent_[i] == i; }
   /// One of two groups becomes part of the other; the outside stays the outside. A solid that joins
-  /// what is none leaves it what it is: all walls and floors of a building may leak into one room.
+  /// a room leaves the room's measures as they are: all walls and floors of a building may leak
+  /// into one room.
   void join(std::uint32_t g, std::uint32_t h);
 
  private:

@@ -1,5 +1,5 @@
-// Leaves of the partition into cells: what is open to each other is one room, what a door joins is
-// not.
+// Merges leaves of the partition into cells: leaves that a wide opening joins are one room, leaves
+// that a door joins are not.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,27 @@ struct MergeConfig {
   /// more than a door leaves of any wall, less than a partition of half height or the joint of an
   /// L.
   double open_share = 0.5;
-  /// An opening of whose rim this share lies in a wall is a door, wherever it is the whole face of
-  /// what was merged so far.
+  /// An opening with this share of its rim in a wall is a door, even where it is the whole face of
+  /// the leaves that were merged so far.
   double framed_share = 0.45;
-  /// A nook is open over nearly all of its face...
+  /// A nook joins its room: it is open over nearly all of its face...
   double nook_open_share = 0.85;
   /// ... and not deeper than this many times the opening's width (an open corridor is).
   double nook_depth = 2.000001;
-  /// Thinner than this many times its opening's width: the inside of a doorway, a window reveal.
+  /// A connector (the inside of a doorway, a window reveal) is thinner than this many times its
+  /// opening's width.
   double connector_depth = 0.499999;
-  /// What is open to the outside over this share of its whole boundary is outside.
+  /// A group that is open to the outside over this share of its whole boundary is outside.
   double outside_share = 0.3;
-  /// ... and a lost room where its walls' fronts make up this share of it, and it is no smaller
-  /// than this share of a typical room.
+  /// ... and counts as a lost room where fronts of walls make up this share of its boundary, and
+  /// its volume is no smaller than this share of a typical room's.
   double lost_front_share = 0.5, lost_room_share = 0.25;
   /// A solid with more than this share of its boundary in one room is furniture.
   double enclosed_share = 0.55;
   /// The smallest groups, up to this share of all enclosed volume, are no cells of their own.
   double crumb_share = 0.01;
-  /// ... but for those larger than this share of a typical room: a house of two hundred rooms would
-  /// miss two.
+  /// ... except for groups larger than this share of a typical room: a house of two hundred rooms
+  /// would miss two.
   double crumb_room_share = 0.1;
   RoomConfig rooms;
 };
@@ -45,12 +46,13 @@ struct MergeConfig {
 struct LeafGroups {
   std::vector<std::uint32_t> group_of_leaf;  ///< numbered in the order of their first leaf
   std::vector<CellKind> kinds;               ///< by group
-  /// A leaf each of what became outside though it was the size of a room and closed for the most
-  /// part.
+  /// One leaf for each group that became outside though it was the size of a room and closed for
+  /// the most part.
   std::vector<std::uint32_t> lost;
 };
 
-/// `touches_outside[leaf]`: the leaf reaches the border of the enlarged bounding box.
+/// `volume_m3` and `touches_outside` by leaf; the latter: the leaf reaches the border of the
+/// enlarged bounding box.
 LeafGroups merge_leaves(std::span<const double> volume_m3, std::span<const char> touches_outside,
                         std::span<const LeafInterface> interfaces, const MergeConfig& config);
 

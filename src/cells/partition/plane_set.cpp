@@ -1,3 +1,4 @@
+// Planes by hashing; the dominant frame by the areas of the pieces' directions.
 #include "cells/partition/plane_set.hpp"
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 namespace enfilade {
 namespace {
 
-constexpr double normal_steps = 64.0;
+constexpr double normal_steps = 64.0;      // of the grid over a unit normal's coordinates
+constexpr double direction_steps = 256.0;  // likewise, where directions are collected
 
 struct Key {
   std::int64_t x, y, z, d;
@@ -25,8 +27,8 @@ struct KeyHash {
   }
 };
 
-// One of the two opposite normals, the same one for nearly equal planes up to the hash's
-// neighbourhoods.
+// Of two opposite normals one is canonical. Nearly equal planes have nearly equal canonical
+// normals, but where the largest coordinate changes.
 bool is_canonical(const Vec3& n) {
   const Vec3 a = glm::abs(n);
   const int k = a.x + 1e-6 >= a.y && a.x + 1e-6 >= a.z ? 0 : a.y + 1e-6 >= a.z ? 1 : 2;
@@ -36,6 +38,72 @@ bool is_canonical(const Vec3& n) {
 /// Areas by powers of 2^(1/steps). No area that is drawn, be it a power of two or its diagonal,
 /// lies on a border between two classes, where rounding would decide.
 double size_class(double area, double steps) { return std::floor(steps * std::log2(area) + 0.5); }
+
+std::int64_t cell_of(double v) { return static_cast<std::int64_t>(std::floor(v)); }
+
+/// Planes hashed by a grid over their canonical normals and their distances from the scene's
+/// middle.
+class PlaneIndex {
+ public:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  PlaneIndex(std::vector<Plane>& planes, const Vec3& origin, double tolerance_m)
+      : planes_(planes),
+        origin_(origin),
+        tolerance_m_(tolerance_m),
+        distance_step_(8.0 * tolerance_m) {}
+
+  /// The first plane that holds the polygon, whose own plane is given; none where there is none.
+  std::uint32_t find(const Polygon& polygon, const Plane& plane) const {
+    std::uint32_t found = none;
+    // Only the cells within a quarter step of the value can hold an equal plane.
+    const auto range = [&](double v) { return std::pair{cell_of(v - 0.25), cell_of(v + 0.25)}; };
+    const Vec3 q = plane.n * normal_steps;
+    const auto [x0, x1] = range(q.x);
+    const auto [y0, y1] = range(q.y);
+    const auto [z0, z1] = range(q.z);
+    const auto [d0, d1] = range(distance_of(plane));
+    for (auto x = x0; x <= x1; ++x) {
+      for (auto y = y0; y <= y1; ++y) {
+        for (auto z = z0; z <= z1; ++z) {
+          for (auto d = d0; d <= d1; ++d) {
+            found = std::min(found, find({x, y, z, d}, polygon, found));
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  std::uint32_t add(const Plane& plane) {
+    const auto number = static_cast<std::uint32_t>(planes_.size());
+    planes_.push_back(plane);
+    const Vec3 q = plane.n * normal_steps;
+    buckets_[{cell_of(q.x), cell_of(q.y), cell_of(q.z), cell_of(distance_of(plane))}].push_back(
+        number);
+    return number;
+  }
+
+ private:
+  double distance_of(const Plane& plane) const {
+    return (plane.d - glm::dot(plane.n, origin_)) / distance_step_;
+  }
+
+  /// The first plane of a grid cell, below `limit`, that holds the polygon.
+  std::uint32_t find(const Key& at, const Polygon& polygon, std::uint32_t limit) const {
+    const auto bucket = buckets_.find(at);
+    if (bucket == buckets_.end()) return none;
+    for (const std::uint32_t candidate : bucket->second) {
+      if (candidate < limit && lies_in(polygon, planes_[candidate], tolerance_m_)) return candidate;
+    }
+    return none;
+  }
+
+  std::vector<Plane>& planes_;
+  Vec3 origin_;
+  double tolerance_m_, distance_step_;
+  std::unordered_map<Key, std::vector<std::uint32_t>, KeyHash> buckets_;
+};
 
 }  // namespace
 
@@ -49,7 +117,6 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
     box.add(bounds(piece.polygon));
     areas.push_back(area_m2(piece.polygon));
   }
-  const Vec3 origin = pieces.empty() ? Vec3(0.0) : box.center();
   // Large polygons first: their normals are the most precise.
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -57,43 +124,14 @@ PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m) {
   const auto size_of = [&](std::size_t i) { return size_class(areas[i], 16.0); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return size_of(a) > size_of(b); });
-  const double distance_step = 8.0 * tolerance_m;
-  std::unordered_map<Key, std::vector<std::uint32_t>, KeyHash> buckets;
+  PlaneIndex index(set.planes, pieces.empty() ? Vec3(0.0) : box.center(), tolerance_m);
   for (const std::size_t i : order) {
-    Plane plane = plane_of(pieces[i].polygon);
+    const Polygon& polygon = pieces[i].polygon;
+    Plane plane = plane_of(polygon);
     const bool canonical = is_canonical(plane.n);
     if (!canonical) plane = {-plane.n, -plane.d};
-    const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v)); };
-    const Vec3 q = plane.n * normal_steps;
-    const double d = (plane.d - glm::dot(plane.n, origin)) / distance_step;
-    std::uint32_t found = 0xFFFFFFFFu;
-    // Only the cells within a quarter step of the value can hold an equal plane.
-    const auto range = [&](double v) { return std::pair{cell(v - 0.25), cell(v + 0.25)}; };
-    const auto [x0, x1] = range(q.x);
-    const auto [y0, y1] = range(q.y);
-    const auto [z0, z1] = range(q.z);
-    const auto [d0, d1] = range(d);
-    for (auto x = x0; x <= x1; ++x) {
-      for (auto y = y0; y <= y1; ++y) {
-        for (auto z = z0; z <= z1; ++z) {
-          for (auto e = d0; e <= d1; ++e) {
-            const auto bucket = buckets.find({x, y, z, e});
-            if (bucket == buckets.end()) continue;
-            for (const std::uint32_t candidate : bucket->second) {
-              if (candidate < found &&
-                  lies_in(pieces[i].polygon, set.planes[candidate], tolerance_m)) {
-                found = candidate;
-              }
-            }
-          }
-        }
-      }
-    }
-    if (found == 0xFFFFFFFFu) {
-      found = static_cast<std::uint32_t>(set.planes.size());
-      set.planes.push_back(plane);
-      buckets[{cell(q.x), cell(q.y), cell(q.z), cell(d)}].push_back(found);
-    }
+    std::uint32_t found = index.find(polygon, plane);
+    if (found == PlaneIndex::none) found = index.add(plane);
     set.plane_of_piece[i] = found;
     const Vec3 n = canonical ? plane.n : -plane.n;
     set.same_facing[i] = glm::dot(n, set.planes[found].n) > 0.0;
@@ -112,25 +150,25 @@ struct Direction {
 std::vector<Direction> directions_of(std::span<const Piece> pieces) {
   std::vector<Direction> directions;
   std::unordered_map<Key, std::size_t, KeyHash> index;
-  const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v)); };
   for (const Piece& piece : pieces) {
     Vec3 a = 0.5 * area_vector(piece.polygon);
     const double area = glm::length(a);
     if (area <= 0.0) continue;
     if (!is_canonical(a / area)) a = -a;
-    const Vec3 q = a / area * 256.0;
+    const Vec3 q = a / area * direction_steps;
     std::size_t found = directions.size();
     for (int k = 0; k < 8 && found == directions.size(); ++k) {
       const Vec3 near(q.x + (k & 1 ? 0.25 : -0.25), q.y + (k & 2 ? 0.25 : -0.25),
                       q.z + (k & 4 ? 0.25 : -0.25));
-      const auto at = index.find({cell(near.x), cell(near.y), cell(near.z), 0});
-      if (at != index.end() && glm::distance(directions[at->second].n * 256.0, q) < 0.25) {
+      const auto at = index.find({cell_of(near.x), cell_of(near.y), cell_of(near.z), 0});
+      if (at != index.end() &&
+          glm::distance(directions[at->second].n * direction_steps, q) < 0.25) {
         found = at->second;
       }
     }
     if (found == directions.size()) {
       directions.push_back({a / area, Vec3(0.0), 0.0});
-      index.try_emplace({cell(q.x), cell(q.y), cell(q.z), 0}, found);
+      index.try_emplace({cell_of(q.x), cell_of(q.y), cell_of(q.z), 0}, found);
     }
     directions[found].sum += a;
     directions[found].area += area;
@@ -143,7 +181,7 @@ std::vector<Direction> directions_of(std::span<const Piece> pieces) {
   return directions;
 }
 
-/// The sign of an axis that a building has by itself: most of its area lies on that side.
+/// The axis or its opposite: that towards which most of the building's area lies.
 Vec3 with_sign(const Vec3& axis, std::span<const Piece> pieces) {
   double low = 1e300, high = -1e300, sum = 0.0, whole = 0.0;
   for (const Piece& piece : pieces) {

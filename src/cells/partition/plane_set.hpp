@@ -10,8 +10,8 @@
 
 namespace enfilade {
 
-/// Every piece lies within the tolerance of its plane; `same_facing` tells whether it faces the
-/// plane's front.
+/// The planes, and by piece its plane's index and whether the piece faces the plane's front. Every
+/// vertex of a piece lies within the tolerance of its plane.
 struct PlaneSet {
   std::vector<Plane> planes;
   std::vector<std::uint32_t> plane_of_piece;
@@ -20,8 +20,8 @@ struct PlaneSet {
 
 PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m);
 
-/// The frame that most of the surface area is aligned to: a turned building gets a turned frame.
-/// The first axis is at right angles to most floors.
+/// The orthonormal frame that most of the surface area is aligned to: a turned building gets a
+/// turned frame. The first axis is at right angles to most floors.
 Frame dominant_frame(std::span<const Piece> pieces);
 
 }  // namespace enfilade

@@ -6,7 +6,7 @@
 namespace enfilade {
 namespace {
 
-// Joins what touches into hulls until nothing touches any more.
+// Joins polygons whose boxes touch into hulls until no two touch.
 std::vector<Polygon> hulls(std::vector<Polygon> parts, const Vec3& n, double joint_m) {
   bool changed = true;
   while (changed) {

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-// Mean chord of a region, after Cauchy.
+// Mean chord of a region, 4 V / S (Cauchy), m.
 double chord(const LeafGroup& g) {
   const double boundary = g.boundary();
   return boundary > 0.0 ? 4.0 * g.volume / boundary : 0.0;
@@ -16,7 +16,7 @@ double chord(const LeafGroup& g) {
 
 double volume(const LeafGroup& g) { return g.volume; }
 
-// What half of the volume of all that is no solid has at least, of chord or of volume.
+// Volume-weighted median over all groups but solids of their chord or their volume.
 double typical(const LeafGraph& graph, double (*measure)(const LeafGroup&)) {
   std::vector<std::pair<double, double>> by_measure;  // and volume
   double total = 0.0;
@@ -34,7 +34,7 @@ double typical(const LeafGraph& graph, double (*measure)(const LeafGroup&)) {
   return 0.0;
 }
 
-// Has the group a door to what is known as a room (or the outside)?
+// Has the group a door to a group that is a room, or to the outside?
 bool has_door(const LeafGroup& g, const std::vector<char>& is_room, double door_share) {
   std::map<PlaneSide, double> open;
   for (const auto& [other, sides] : g.contacts) {
@@ -52,7 +52,7 @@ bool has_door(const LeafGroup& g, const std::vector<char>& is_room, double door_
 double typical_volume_m3(const LeafGraph& graph) { return typical(graph, volume); }
 
 // Real walls and floors are layers with faces of every direction between them, so that the faces
-// alone do not tell them from rooms.
+// alone do not distinguish their insides from rooms.
 std::vector<char> find_rooms(const LeafGraph& graph, const RoomConfig& config) {
   std::vector<char> is_room(graph.size(), 0);
   is_room[LeafGraph::outside] = 1;

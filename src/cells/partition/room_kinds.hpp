@@ -8,16 +8,16 @@
 namespace enfilade {
 
 struct RoomConfig {
-  /// Thinner (by its mean chord, 4 V / S) than this share of the typical room, a cell is a room
-  /// (a closet, a passage) only where it is not much smaller...
+  /// A group thinner (by its mean chord, 4 V / S) than this share of the typical room is a room (a
+  /// closet, a passage) only where its volume is at least this share of a typical room's...
   double thin_share = 0.75;
   double closet_share = 0.02;
-  /// ... and has a door: an opening to a room of this share of its face there, and of V^(2/3). Else
-  /// it is the inside of a wall, a floor or a cupboard.
+  /// ... and where it has a door: an opening to a room of this share of its face there, and of
+  /// V^(2/3). Otherwise it is the inside of a wall, a floor or a cupboard.
   double door_share = 0.1;
 };
 
-/// By group: a room, or the outside.
+/// By group: 1 for rooms and the outside, 0 for the insides of solids.
 std::vector<char> find_rooms(const LeafGraph& graph, const RoomConfig& config);
 
 /// Half of all volume that is no solid lies in groups of at least this volume, m3.

@@ -1,3 +1,4 @@
+// Risers of steps, plane by plane: does one run all across a room, and part it in two?
 #include "cells/rooms/floor_steps.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 namespace enfilade {
 namespace {
 
+/// An upright piece that may be the face of a step, with its extent along `along` and along up.
 struct Riser {
   std::uint32_t piece = 0;
   Vec3 along{0.0};
@@ -61,7 +63,7 @@ class StepFinder {
   void run() {
     risers_ = risers_by_plane();
     for (const auto& [plane, risers] : risers_) {
-      // What a cut leaves in two rooms is looked at in each.
+      // Risers that an earlier cut has left in two rooms are tried in each.
       std::map<std::uint32_t, std::vector<Riser>> by_room;
       for (const Riser& riser : risers) {
         const std::uint32_t room = room_of(riser);
@@ -72,7 +74,7 @@ class StepFinder {
   }
 
  private:
-  /// The longest first.
+  /// Low upright pieces by plane; the plane with the longest risers first.
   std::vector<std::pair<std::uint32_t, std::vector<Riser>>> risers_by_plane() const {
     std::map<std::uint32_t, std::vector<Riser>> by_plane;
     for (std::uint32_t i = 0; i < space_.pieces.size(); ++i) {
@@ -95,8 +97,8 @@ class StepFinder {
     return sorted;
   }
 
-  /// The room that a riser shows its front: a step sinks into the lower floor, so that it may be
-  /// seen at its top or its bottom alone.
+  /// The room that a riser's front faces. A step may sink into the lower floor, so that points at
+  /// its top and at its bottom are tried.
   std::uint32_t room_of(const Riser& riser) const {
     const Polygon& polygon = space_.pieces[riser.piece].polygon;
     const Vec3 n = normal(polygon), middle = centroid(polygon);
@@ -131,7 +133,8 @@ class StepFinder {
     }
   }
 
-  /// Does the room go on beyond the riser's foot (or its top), as at the rim of a stair's hole?
+  /// Does the room go on below the riser's foot (`away` -1, `end` its height) or above its top (1),
+  /// as at the rim of a stair's hole?
   bool is_open_beyond(const Riser& riser, double end, double away) const {
     const Polygon& polygon = space_.pieces[riser.piece].polygon;
     const Vec3 n = normal(polygon), middle = centroid(polygon);
@@ -152,7 +155,8 @@ class StepFinder {
     return false;
   }
 
-  /// Has the step a face the other way close behind it: a beam, a threshold, a low partition?
+  /// Has the step a face the other way close behind it, as a joist, a threshold or a low partition
+  /// has?
   bool is_barrier(const std::vector<Riser>& risers, double reach_m) const {
     double length = 0.0, faced = 0.0;
     for (const Riser& riser : risers) {
@@ -182,7 +186,7 @@ class StepFinder {
     return 2.0 * faced > length;
   }
 
-  /// The section's area, where there is a step all across it; else 0.
+  /// The section's area where a step runs all across it, otherwise 0, m2.
   double stepped_area(const std::vector<SectionPart>& section,
                       const std::vector<Riser>& risers) const {
     double low = 1e300, high = -1e300, whole = 0.0;

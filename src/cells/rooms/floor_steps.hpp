@@ -1,4 +1,4 @@
-// Rooms that are open to each other part where the floor or the ceiling has a step.
+// Rooms that are open to each other are parted where the floor or the ceiling has a step.
 #pragma once
 
 #include "cells/rooms/leaf_cutter.hpp"
@@ -6,18 +6,21 @@
 namespace enfilade {
 
 struct StepConfig {
-  /// A step runs all across the room: below (or above) this share of the section.
+  /// A step runs all across the room: along the floor (or ceiling) of this share of the section.
   double across_share = 0.9;
-  /// What is higher than this share of the section is no step but a barrier, and no border.
+  /// A face that is higher than this share of the section is a barrier and not a step; it parts no
+  /// rooms.
   double height_share = 0.25;
   /// Each part has at least this share of a typical room's volume...
   double part_share = 0.25;
-  /// ... and is at least so deep, beside the root of the section's area: no platform along a wall.
+  /// ... and is at least this deep in units of the root of the section's area, which a platform
+  /// along a wall is not.
   double part_depth = 0.4;
 };
 
-/// Builders lay another floor where another room begins, be it open to the first: a joint with a
-/// step of millimetres from wall to wall, as furniture never has one.
+/// Cuts rooms of `space` along steps. Builders lay another floor where another room begins, even
+/// where the two are open to each other: its joint is a step of millimetres from wall to wall,
+/// which furniture never makes.
 void cut_at_steps(CutSpace& space, LeafCutter& cutter, const StepConfig& config);
 
 }  // namespace enfilade

@@ -1,3 +1,4 @@
+// Splitting a leaf: its region, its node, its interfaces, and the new face between the two parts.
 #include "cells/rooms/leaf_cutter.hpp"
 
 #include <algorithm>
@@ -145,7 +146,7 @@ void LeafCutter::add_interface(LeafInterface face) {
   space_.interfaces.push_back(std::move(face));
 }
 
-// What the leaf touched, the part behind touches now, the part in front, or each of them a part of.
+// Each opening of the leaf goes to the part behind, to the part in front, or is split between them.
 void LeafCutter::split_interfaces(std::uint32_t leaf, std::uint32_t front,
                                   std::uint32_t plane_number) {
   const Plane plane = space_.planes.planes[plane_number];

@@ -1,5 +1,4 @@
-// Rooms that were merged are cut again: leaves of the partition are split, and what touches them
-// with them.
+// Cuts merged rooms again: leaves of the partition are split, and their interfaces with them.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace enfilade {
 
-/// What the cutting of rooms works on.
+/// The partition and its groups, as the cutting of rooms changes them.
 struct CutSpace {
   std::span<const Piece> pieces;
   PlaneSet& planes;
@@ -25,13 +24,14 @@ struct CutSpace {
   double tolerance_m = 0.0;
 };
 
+/// Splits leaves and moves them between groups, and keeps all lists of a CutSpace consistent.
 class LeafCutter {
  public:
   explicit LeafCutter(CutSpace& space);
 
   /// The leaf that p lies in.
   std::uint32_t leaf_at(const Vec3& p) const;
-  /// Those of one group, in the order of their numbers.
+  /// The leaves of one group, in the order of their numbers.
   const std::vector<std::uint32_t>& leaves_of(std::uint32_t group) const {
     return leaves_of_group_[group];
   }
@@ -41,8 +41,7 @@ class LeafCutter {
   const std::vector<std::uint32_t>& interfaces_of(std::uint32_t leaf) const {
     return by_leaf_[leaf];
   }
-  /// The number of a plane, taken into the set where it is not one of those that scenes' pieces lie
-  /// in.
+  /// The number of a plane in the plane set; a plane that no piece lies in is added to the set.
   std::uint32_t number_of(const Plane& plane);
   /// Two leaves, of the same group; the same leaf twice where it is not cut.
   struct Split {

@@ -1,27 +1,17 @@
+// Openings between rooms and the outside are measured, and the largest of each kind is reported.
 #include "cells/rooms/leaks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <queue>
+
+#include "cells/rooms/leak_paths.hpp"
 
 namespace enfilade {
 namespace {
 
-Vec3 middle_of(const Region& region) {
-  Vec3 sum(0.0);
-  double count = 0.0;
-  for (const Facet& facet : region.facets) {
-    for (const Vec3& p : facet.polygon) {
-      sum += p;
-      count += 1.0;
-    }
-  }
-  return sum / std::max(count, 1.0);
-}
-
-/// Between the nearest two parallel lines that hold the polygon.
+/// Distance of the nearest two parallel lines, one along an edge, that hold the polygon.
 double width_of(const Polygon& polygon) {
   const Vec3 n = normal(polygon);
   double least = 1e300;
@@ -37,25 +27,26 @@ double width_of(const Polygon& polygon) {
   return least;
 }
 
-/// What is open within a portal, which is its hull.
+/// The open part of a portal, which is the hull of it.
 struct Opening {
   const Portal* portal = nullptr;
   double open_m2 = 0.0;
-  double width_m = 0.0;  ///< a ring's: of its parts
-  Vec3 middle{0.0};      ///< of its largest part
-  double framed = 0.0;   ///< share of all that is open in its plane that is framed like a door
+  double width_m = 0.0;  ///< of a ring: the width of its parts
+  Vec3 middle{0.0};      ///< centroid of its largest part
+  double framed = 0.0;   ///< framed share of all openings between its cells in its plane
 };
 
 class LeakFinder {
  public:
   LeakFinder(const CutSpace& space, const LeafCutter& cutter, std::span<const Portal> portals,
-             const Region& border, std::span<const char> touches, const LeakConfig& config)
+             const Region& border, std::span<const char> touches_border, const LeakConfig& config)
       : space_(space),
         cutter_(cutter),
         portals_(portals),
         border_(border),
-        touches_(touches),
-        config_(config) {
+        touches_border_(touches_border),
+        config_(config),
+        paths_(space, cutter, touches_border) {
     for (const LeafInterface& face : space.interfaces) {
       const std::uint32_t a = space.groups.group_of_leaf[face.front_leaf];
       const std::uint32_t b = space.groups.group_of_leaf[face.back_leaf];
@@ -79,8 +70,8 @@ class LeakFinder {
     std::vector<Leak> found;
     for (const auto& [key, opening] : worst) {
       const CellId room(key.first);
-      found.push_back(
-          {key.second, room, opening->open_m2, opening->width_m, path_through(*opening, room)});
+      found.push_back({key.second, room, opening->open_m2, opening->width_m,
+                       paths_.through(*opening->portal, opening->middle, room)});
     }
     std::vector<std::uint32_t> all_lost(lost.begin(), lost.end());
     for (const std::uint32_t leaf : enclosed_at_border()) all_lost.push_back(leaf);
@@ -94,7 +85,7 @@ class LeakFinder {
     leak.path.push_back(middle_of(space_.tree.leaves[leaf]));
     const Facet* missing = largest_on_border(space_.tree.leaves[leaf], border_);
     if (missing == nullptr) {
-      walk_out(leaf, leak.path);
+      paths_.add_way_out(leaf, leak.path);
       return leak;
     }
     leak.area_m2 = area_m2(missing->polygon);
@@ -103,26 +94,26 @@ class LeakFinder {
     return leak;
   }
 
-  /// Leaves at the border, outside therefore, that are rooms but for a wall; of those that lie next
-  /// to each other the first.
+  /// Leaves at the border (outside, therefore) that would be rooms if they did not lack a wall; of
+  /// leaves that are open to each other the first.
   std::vector<std::uint32_t> enclosed_at_border() const {
     std::vector<double> front(space_.tree.leaves.size(), 0.0);
     for (const LeafInterface& face : space_.interfaces) {
       front[face.front_leaf] += face.faces_front_m2;
       front[face.back_leaf] += face.faces_back_m2;
     }
-    const double least_m3 = config_.border_room_share * middling_room_m3();
+    const double least_m3 = config_.border_room_share * median_room_m3();
     std::vector<std::uint32_t> found;
     for (std::uint32_t leaf = 0; leaf < front.size(); ++leaf) {
       const Region& region = space_.tree.leaves[leaf];
-      if (!touches_[leaf] || front[leaf] <= 0.0 || volume_m3(region) < least_m3) continue;
+      if (!touches_border_[leaf] || front[leaf] <= 0.0 || volume_m3(region) < least_m3) continue;
       double boundary = 0.0;
       for (const Facet& facet : region.facets) boundary += area_m2(facet.polygon);
       if (front[leaf] < config_.border_front_share * boundary) continue;
       const auto& interfaces = cutter_.interfaces_of(leaf);
       const bool is_known = std::ranges::any_of(interfaces, [&](std::uint32_t i) {
         const LeafInterface& face = space_.interfaces[i];
-        const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+        const std::uint32_t other = face.other_than(leaf);
         return face.open_m2 > 0.0 && std::ranges::find(found, other) != found.end();
       });
       if (!is_known) found.push_back(leaf);
@@ -130,7 +121,7 @@ class LeakFinder {
     return found;
   }
 
-  double middling_room_m3() const {
+  double median_room_m3() const {
     std::vector<double> rooms;
     for (std::uint32_t group = 0; group < space_.groups.kinds.size(); ++group) {
       if (kind(CellId(group)) == CellKind::room) rooms.push_back(volume(group));
@@ -152,7 +143,7 @@ class LeakFinder {
     return by_room;
   }
 
-  /// The chinks of a window's frame are no news.
+  /// The chinks of a window's frame are not reported: a window leaks anyway.
   bool is_beside_window(const Opening& gap, std::uint32_t room,
                         const std::vector<Opening>& others) const {
     const Box box = bounds(gap.portal->polygon);
@@ -217,72 +208,13 @@ class LeakFinder {
     return at->second;
   }
 
-  std::vector<Vec3> path_through(const Opening& opening, CellId room) const {
-    const Portal& portal = *opening.portal;
-    const Vec3& gap = opening.middle;
-    const Vec3 n = normal(portal.polygon);
-    const double near_m = 4.0 * space_.tolerance_m * (portal.a == room ? 1.0 : -1.0);
-    const std::uint32_t inner = cutter_.leaf_at(gap + near_m * n);
-    std::uint32_t largest = inner;
-    double most = 0.0;
-    for (const std::uint32_t leaf : cutter_.leaves_of(room.value)) {
-      const double v = volume_m3(space_.tree.leaves[leaf]);
-      if (v <= most) continue;
-      most = v;
-      largest = leaf;
-    }
-    std::vector<Vec3> path;
-    walk(
-        inner, [&](std::uint32_t leaf) { return leaf == largest; }, path);
-    if (path.empty()) path.push_back(middle_of(space_.tree.leaves[inner]));
-    std::reverse(path.begin(), path.end());
-    path.push_back(gap);
-    walk_out(cutter_.leaf_at(gap - near_m * n), path);
-    return path;
-  }
-
-  void walk_out(std::uint32_t from, std::vector<Vec3>& path) const {
-    walk(
-        from, [&](std::uint32_t leaf) { return touches_[leaf] != 0; }, path);
-  }
-
-  /// Adds the openings and then the middle of the last leaf on the shortest way (in leaves) within
-  /// the group.
-  template <class IsGoal>
-  void walk(std::uint32_t from, IsGoal is_goal, std::vector<Vec3>& path) const {
-    const std::uint32_t group = space_.groups.group_of_leaf[from];
-    std::map<std::uint32_t, std::pair<std::uint32_t, Vec3>> came;  // leaf: from where, through what
-    std::queue<std::uint32_t> queue;
-    queue.push(from);
-    came[from] = {from, Vec3(0.0)};
-    for (; !queue.empty(); queue.pop()) {
-      const std::uint32_t leaf = queue.front();
-      if (is_goal(leaf)) {
-        std::vector<Vec3> back{middle_of(space_.tree.leaves[leaf])};
-        for (std::uint32_t at = leaf; at != from; at = came[at].first) {
-          back.push_back(came[at].second);
-        }
-        path.insert(path.end(), back.rbegin(), back.rend());
-        return;
-      }
-      for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
-        const LeafInterface& face = space_.interfaces[i];
-        const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
-        if (face.openings.empty() || space_.groups.group_of_leaf[other] != group) continue;
-        const auto widest = std::max_element(
-            face.openings.begin(), face.openings.end(),
-            [](const Polygon& a, const Polygon& b) { return area_m2(a) < area_m2(b); });
-        if (came.try_emplace(other, leaf, centroid(*widest)).second) queue.push(other);
-      }
-    }
-  }
-
   const CutSpace& space_;
   const LeafCutter& cutter_;
   std::span<const Portal> portals_;
   const Region& border_;
-  std::span<const char> touches_;
+  std::span<const char> touches_border_;
   LeakConfig config_;
+  LeakPaths paths_;
   /// With openings, by group in front and group behind.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<const LeafInterface*>>
       faces_between_;
@@ -305,9 +237,9 @@ const char* name_of(LeakKind kind) {
 
 std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,
                              std::span<const Portal> portals, const Region& border,
-                             std::span<const char> touches, std::span<const std::uint32_t> lost,
-                             const LeakConfig& config) {
-  return LeakFinder(space, cutter, portals, border, touches, config).run(lost);
+                             std::span<const char> touches_border,
+                             std::span<const std::uint32_t> lost, const LeakConfig& config) {
+  return LeakFinder(space, cutter, portals, border, touches_border, config).run(lost);
 }
 
 }  // namespace enfilade

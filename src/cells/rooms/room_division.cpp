@@ -1,3 +1,4 @@
+// A section of a room in its connected parts, and a flood fill from both sides of one of them.
 #include "cells/rooms/room_division.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 enum : char { in_front = 1, in_back = 2, on_section = 4 };
 
-/// Where a polygon lies by the plane: bits of the above.
+/// Bits that say on which sides of the plane a polygon has vertices.
 char side_of(const Polygon& polygon, const Plane& plane, double tolerance) {
   const DistanceRange range = distances(polygon, plane);
   char side = 0;
@@ -46,7 +47,7 @@ SectionPart part_of(std::uint32_t leaf, std::uint32_t interface, Polygon polygon
   return part;
 }
 
-/// Walks the room from both sides of the section.
+/// Flood fill of a room's leaves from both sides of a section.
 class Flood {
  public:
   Flood(const CutSpace& space, const LeafCutter& cutter, const std::vector<std::uint32_t>& leaves,
@@ -95,7 +96,7 @@ class Flood {
       if (side == 0) {
         for (const Polygon& p : face.openings) reached |= side_of(p, plane_, space_.tolerance_m);
       }
-      reach(face.front_leaf == leaf ? face.back_leaf : face.front_leaf, reached);
+      reach(face.other_than(leaf), reached);
     }
   }
 
@@ -166,7 +167,7 @@ Division divide(const CutSpace& space, const LeafCutter& cutter,
     if (side == on_section) continue;
     const double volume = volume_m3(region);
     bool front = side == in_front;
-    if (side == 0) {  // shut off from both: where most of it lies
+    if (side == 0) {  // cut off from both sides: by the mean of its vertices
       double sum = 0.0;
       for (const Facet& facet : region.facets) {
         for (const Vec3& p : facet.polygon) sum += plane.signed_distance(p);

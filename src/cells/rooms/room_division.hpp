@@ -1,4 +1,4 @@
-// A plane across a room: what it would cut off, without cutting yet.
+// A plane across a room: the parts that it would leave on either side, without cutting yet.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace enfilade {
 
-/// A part of a plane's section through a room, with its extent along the plane's horizontal and
-/// along up: through a leaf, or where two leaves touch (an interface's openings) in that plane.
+/// A part of a plane's section through a room: through a leaf, or where two leaves touch (an
+/// interface's openings) in that plane. u and v are its extents along the plane's horizontal and
+/// along up, m.
 struct SectionPart {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
   std::uint32_t leaf = none, interface = none;
@@ -19,20 +20,20 @@ struct SectionPart {
   double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
 };
 
-/// The coordinates of a standing plane.
+/// The axes of an upright plane: its horizontal, and up.
 struct StandingAxes {
   Vec3 along{0.0}, up{0.0};
 };
 StandingAxes standing_axes(const Vec3& n, const Vec3& up);
 
-/// The section of a group by a plane, in the parts that hang together.
+/// The section of a group's leaves by plane number `plane`, in its connected components.
 std::vector<std::vector<SectionPart>> sections(const CutSpace& space, const LeafCutter& cutter,
                                                const std::vector<std::uint32_t>& leaves,
                                                std::uint32_t plane);
 
-/// What lies on either side of one such section.
+/// The leaves on either side of one connected section, and their volumes.
 struct Division {
-  bool separates = false;  ///< there is no way round the section
+  bool separates = false;  ///< no way leads round the section; if false, the rest is not filled in
   double front_m3 = 0.0, behind_m3 = 0.0;
   std::vector<std::uint32_t> front, behind;  ///< leaves that are not cut
 };
@@ -40,7 +41,7 @@ Division divide(const CutSpace& space, const LeafCutter& cutter,
                 const std::vector<std::uint32_t>& leaves, const Plane& plane,
                 const std::vector<SectionPart>& section);
 
-/// Cuts along the section of a group; what lies in front is a new group.
+/// Cuts a group along the section; the part in front becomes a new group.
 void carry_out(LeafCutter& cutter, std::uint32_t group, const Division& division,
                const std::vector<SectionPart>& section, std::uint32_t plane);
 

@@ -1,3 +1,4 @@
+// Holes in floors with a flight under them: the box around such a hole is cut out of both rooms.
 #include "cells/rooms/stairwells.hpp"
 
 #include <algorithm>
@@ -18,13 +19,13 @@ struct PlanBox {
     const double a = glm::dot(u, p), b = glm::dot(v, p);
     return a >= u0 && a <= u1 && b >= v0 && b <= v1;
   }
-  /// Their fronts are outside.
+  /// The planes of the four sides; their fronts are outside the box.
   std::array<Plane, 4> sides() const {
     return {Plane{u, u1}, Plane{-u, -u0}, Plane{v, v1}, Plane{-v, -v0}};
   }
 };
 
-/// Around all points, along the longest edge of their hull in plan.
+/// The box around all points in plan, along the longest edge of their convex hull.
 PlanBox box_around(const std::vector<Vec3>& points, const Vec3& up) {
   const Vec3 origin = points.front();
   std::vector<Vec3> flat;
@@ -51,7 +52,7 @@ PlanBox box_around(const std::vector<Vec3>& points, const Vec3& up) {
   return box;
 }
 
-/// What may be walked on, or the underside of it.
+/// A level or sloping piece: the top of a tread, or its underside.
 struct Tread {
   Vec3 middle{0.0};
   double height_m = 0.0;
@@ -86,7 +87,7 @@ class StairwellFinder {
  private:
   using Rooms = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// The corners of all that is open between two rooms one above the other.
+  /// By two rooms one above the other, the corners of all openings between them.
   std::map<Rooms, std::vector<Vec3>> ways_up() const {
     std::map<Rooms, std::vector<Vec3>> ways;
     for (const LeafInterface& face : space_.interfaces) {
@@ -103,7 +104,8 @@ class StairwellFinder {
     return ways;
   }
 
-  /// From the lowest ground in the box to its upper rim (whichever way up points).
+  /// Heights that a flight may climb: from the lowest ground in the box to the hole's upper rim,
+  /// and, since `up` may point down, from the hole's lower rim to the highest ground.
   std::array<std::pair<double, double>, 2> climbs(const PlanBox& box, const Rooms& rooms,
                                                   const std::vector<Vec3>& points) const {
     double low = 1e300, high = -1e300, rim_low = 1e300, rim_high = -1e300;
@@ -132,7 +134,7 @@ class StairwellFinder {
 
   bool has_flight(const PlanBox& box, const Rooms& rooms, const std::vector<Vec3>& points) const {
     for (const auto& [from, to] : climbs(box, rooms, points)) {
-      // By facing and quarter of the way, m2.
+      // Area in plan by facing and by quarter of the climb, m2.
       std::array<std::array<double, 4>, 2> covered{};
       const double height = to - from;
       for (auto tread = first_above(from + 0.02 * height);
@@ -174,7 +176,7 @@ class StairwellFinder {
     for (const std::uint32_t room : {rooms.first, rooms.second}) {
       const std::vector<std::uint32_t> leaves = cutter_.leaves_of(room);
       for (const std::uint32_t leaf : leaves) cut_leaf(leaf, box, sides, well);
-      take_crumbs(room, well);
+      take_cut_off_parts(room, well);
     }
   }
 
@@ -184,7 +186,7 @@ class StairwellFinder {
     if (volume_m3(part_in(box, space_.tree.leaves[leaf])) <= 1e-6 * whole) return;
     for (const std::uint32_t side : sides) {
       const Plane plane = space_.planes.planes[side];
-      // Planes of the scene's own may face the other way.
+      // A plane of the scene's pieces may face the other way than the side does.
       const LeafCutter::Split halves = cutter_.cut(leaf, side);
       if (!halves.cut) continue;
       leaf = keeps_inside(plane, box) ? halves.behind : halves.front;
@@ -197,8 +199,8 @@ class StairwellFinder {
     return plane.signed_distance(middle) < 0.0;
   }
 
-  /// What the stairwell cuts off from the rest of a room is part of it.
-  void take_crumbs(std::uint32_t room, std::uint32_t well) {
+  /// Parts of a room that the stairwell cuts off from the room's largest part join the stairwell.
+  void take_cut_off_parts(std::uint32_t room, std::uint32_t well) {
     std::map<std::uint32_t, int> part;
     std::vector<double> volumes;
     for (const std::uint32_t start : cutter_.leaves_of(room)) {
@@ -213,7 +215,7 @@ class StairwellFinder {
         volumes.back() += volume_m3(space_.tree.leaves[leaf]);
         for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
           const LeafInterface& face = space_.interfaces[i];
-          const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+          const std::uint32_t other = face.other_than(leaf);
           if (face.openings.empty() || space_.groups.group_of_leaf[other] != room) continue;
           if (part.try_emplace(other, number).second) queue.push_back(other);
         }
@@ -230,7 +232,7 @@ class StairwellFinder {
   bool touches(std::uint32_t leaf, std::uint32_t group) const {
     for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
       const LeafInterface& face = space_.interfaces[i];
-      const std::uint32_t other = face.front_leaf == leaf ? face.back_leaf : face.front_leaf;
+      const std::uint32_t other = face.other_than(leaf);
       if (!face.openings.empty() && space_.groups.group_of_leaf[other] == group) return true;
     }
     return false;

@@ -1,5 +1,5 @@
-// A flight of stairs that stands in a room open to the next storey is a stairwell, a cell by
-// itself.
+// Stairwells: a flight of stairs in a room that is open to the next storey becomes a cell of its
+// own.
 #pragma once
 
 #include "cells/rooms/leaf_cutter.hpp"
@@ -7,15 +7,16 @@
 namespace enfilade {
 
 struct StairwellConfig {
-  /// A flight: treads in each quarter of the way up that together cover this share of its plan.
+  /// A flight has treads in each quarter of its height that together cover this share of its plan.
   double tread_share = 0.4;
-  /// The stairwell takes at most this share of the two rooms: else they are one themselves.
+  /// The stairwell has at most this share of the two rooms' volume; otherwise the two are left as
+  /// they are.
   double rooms_share = 1.0 / 3.0;
 };
 
-/// What lies over and under a flight of stairs leaves the rooms that it joins, so that neither
-/// reaches into the other's storey. A hole in a floor without a flight (an atrium, a gallery) stays
-/// a portal between the two.
+/// Cuts the space over and under each flight of stairs out of the rooms that it joins, so that
+/// neither reaches into the other's storey. A hole in a floor without a flight (an atrium, a
+/// gallery) stays a portal between the two.
 void cut_stairwells(CutSpace& space, LeafCutter& cutter, const StairwellConfig& config);
 
 }  // namespace enfilade

@@ -77,7 +77,7 @@ TEST(Clusters, ObjectsOfTheFileStayTogether) {
   EXPECT_GE(of_row, 150u);  // without the bottoms, which stand on the floor
 }
 
-TEST(Clusters, WithoutObjectsWhatHangsTogetherIsOneCluster) {
+TEST(Clusters, WithoutObjectsConnectedPolygonsAreOneCluster) {
   const plan::Plan plan = furnished();
   const CellComplex complex = build_cells(plan.pieces(), {});
   const std::size_t boxes = plan.polygons.size() - 180;
@@ -106,7 +106,7 @@ std::set<std::vector<SurfaceId>> grouping(const plan::Plan& plan) {
   return groups;
 }
 
-TEST(Clusters, ABuildingThatIsTurnedHasTheSame) {
+TEST(Clusters, ATurnedBuildingHasTheSameClusters) {
   // Shelves in rows and columns, too many for one cluster: equal distances wherever it is halved.
   plan::Plan plan = plan::two_rooms();
   for (int i = 0; i < 12; ++i) {

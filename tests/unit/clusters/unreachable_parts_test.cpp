@@ -23,10 +23,10 @@ Scene lit(const plan::Plan& plan) {
 
 struct Cut {
   std::vector<CellPiece> before, after;
-  double sealed_m2(std::size_t surface) const {
+  double unreachable_m2(std::size_t surface) const {
     double sum = 0.0;
     for (const CellPiece& p : after) {
-      if (p.sealed && p.piece.surface.index() == surface) sum += area_m2(p.piece.polygon);
+      if (p.unreachable && p.piece.surface.index() == surface) sum += area_m2(p.piece.polygon);
     }
     return sum;
   }
@@ -56,21 +56,21 @@ void expect_same_area(const Cut& cut) {
   for (const auto& [key, difference] : area) EXPECT_NEAR(difference, 0.0, 1e-9);
 }
 
-TEST(UnreachableParts, FloorUnderABoxIsSealedAndSeparate) {
+TEST(UnreachableParts, FloorUnderABoxIsUnreachableAndSeparate) {
   // Coplanar with the floor, and sunk 1 cm into it.
   for (const double bottom : {0.0, -0.01}) {
     plan::Plan plan = room();
     plan.box({1, 1, bottom}, {1.8, 1.6, 0.9}, false);
     const Cut result = cut(lit(plan));
     expect_same_area(result);
-    EXPECT_NEAR(result.sealed_m2(0), 0.8 * 0.6, 1e-9) << bottom;
+    EXPECT_NEAR(result.unreachable_m2(0), 0.8 * 0.6, 1e-9) << bottom;
     EXPECT_GE(result.parts(0), 5u);  // the ground around a hole, and the hole
     EXPECT_LE(result.parts(0), 7u);
     for (const CellPiece& p : result.after) {
       if (p.piece.surface.index() != 0) continue;
       // Each part lies on one side of the box's outline.
       const Vec3 c = centroid(p.piece.polygon);
-      EXPECT_EQ(p.sealed, c.x > 1 && c.x < 1.8 && c.y > 1 && c.y < 1.6);
+      EXPECT_EQ(p.unreachable, c.x > 1 && c.x < 1.8 && c.y > 1 && c.y < 1.6);
     }
   }
 }
@@ -81,12 +81,12 @@ TEST(UnreachableParts, SidesOfABoxAreCutWhereTheySinkIn) {
   plan.box({-0.5, -0.5, -0.6}, {5.5, 4.5, 0.0}, false);  // the slab below
   const Cut result = cut(lit(plan));
   expect_same_area(result);
-  double sealed = 0.0;
-  for (std::size_t s = 6; s < 12; ++s) sealed += result.sealed_m2(s);
-  EXPECT_NEAR(sealed, 0.5 * 2.8 + 0.8 * 0.6, 1e-9);
+  double unreachable = 0.0;
+  for (std::size_t s = 6; s < 12; ++s) unreachable += result.unreachable_m2(s);
+  EXPECT_NEAR(unreachable, 0.5 * 2.8 + 0.8 * 0.6, 1e-9);
 }
 
-TEST(UnreachableParts, OnlyTheFootprintsOfATableAreSealed) {
+TEST(UnreachableParts, OnlyTheFootprintsOfATableAreUnreachable) {
   plan::Plan plan = room();
   for (const double x : {1.0, 2.1}) {
     for (const double y : {1.0, 1.7}) plan.box({x, y, 0}, {x + 0.05, y + 0.05, 0.7}, false);
@@ -94,10 +94,10 @@ TEST(UnreachableParts, OnlyTheFootprintsOfATableAreSealed) {
   plan.box({0.95, 0.95, 0.7}, {2.2, 1.8, 0.73}, false);
   const Cut result = cut(lit(plan));
   expect_same_area(result);
-  EXPECT_NEAR(result.sealed_m2(0), 4 * 0.05 * 0.05, 1e-9);
+  EXPECT_NEAR(result.unreachable_m2(0), 4 * 0.05 * 0.05, 1e-9);
   // Where the legs meet the top.
   double under_top = 0.0;
-  for (std::size_t s = 30; s < 36; ++s) under_top += result.sealed_m2(s);
+  for (std::size_t s = 30; s < 36; ++s) under_top += result.unreachable_m2(s);
   EXPECT_NEAR(under_top, 4 * 0.05 * 0.05, 1e-9);
 }
 
@@ -106,7 +106,7 @@ TEST(UnreachableParts, AnEmptyRoomIsNotCut) {
     const Cut result = cut(lit(plan));
     ASSERT_EQ(result.after.size(), result.before.size());
     for (std::size_t i = 0; i < result.after.size(); ++i) {
-      EXPECT_FALSE(result.after[i].sealed);
+      EXPECT_FALSE(result.after[i].unreachable);
       EXPECT_EQ(result.after[i].piece.polygon, result.before[i].piece.polygon);
     }
   }
@@ -117,7 +117,7 @@ TEST(UnreachableParts, ALampWithoutExtentLightsToo) {
   plan.box({1, 1, 0}, {1.8, 1.6, 0.9}, false);
   Scene scene = plan.scene();
   scene.lights.push_back({{3, 2, 2}, {100.0}});
-  EXPECT_NEAR(cut(scene).sealed_m2(0), 0.8 * 0.6, 1e-9);
+  EXPECT_NEAR(cut(scene).unreachable_m2(0), 0.8 * 0.6, 1e-9);
 }
 
 TEST(UnreachableParts, PlaceAndDirectionDoNotMatter) {
@@ -135,8 +135,8 @@ TEST(UnreachableParts, PlaceAndDirectionDoNotMatter) {
     return cut(lit(plan));
   };
   const Cut here = count(false), there = count(true);
-  EXPECT_NEAR(here.sealed_m2(0), 0.48 + 0.16, 1e-9);
-  EXPECT_NEAR(there.sealed_m2(0), 0.48 + 0.16, 1e-6);
+  EXPECT_NEAR(here.unreachable_m2(0), 0.48 + 0.16, 1e-9);
+  EXPECT_NEAR(there.unreachable_m2(0), 0.48 + 0.16, 1e-6);
   EXPECT_EQ(here.parts(0), there.parts(0));
 }
 
@@ -151,10 +151,10 @@ TEST(UnreachableParts, TheBoundOnPartsHoldsAndLosesNothing) {
   const Cut result = cut(lit(plan), config);
   expect_same_area(result);
   EXPECT_LE(result.parts(0), 4u);
-  EXPECT_NEAR(cut(lit(plan)).sealed_m2(0), 10 * 0.04, 1e-9);
+  EXPECT_NEAR(cut(lit(plan)).unreachable_m2(0), 10 * 0.04, 1e-9);
 }
 
-TEST(UnreachableParts, NoClusterMixesLitAndSealed) {
+TEST(UnreachableParts, NoClusterMixesReachableAndUnreachable) {
   plan::Plan plan = room();
   plan.box({1, 1, 0}, {1.8, 1.6, 0.9}, false);
   const Scene scene = lit(plan);
@@ -165,8 +165,8 @@ TEST(UnreachableParts, NoClusterMixesLitAndSealed) {
       if (polygon.surface.index() != 0) continue;
       ++of_floor;
       const Vec3 c = centroid(polygon.polygon);
-      const bool sealed = c.x > 1 && c.x < 1.8 && c.y > 1 && c.y < 1.6;
-      EXPECT_EQ(cluster.polygons.size() == 1, sealed);
+      const bool unreachable = c.x > 1 && c.x < 1.8 && c.y > 1 && c.y < 1.6;
+      EXPECT_EQ(cluster.polygons.size() == 1, unreachable);
     }
   }
   EXPECT_EQ(of_floor, result.parts(0));

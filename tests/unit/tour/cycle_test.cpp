@@ -12,8 +12,8 @@ constexpr std::uint64_t plenty = 1ull << 40;
 
 Cycle cycle(const std::vector<ClusterId>& clusters, const VisibilityCost& cost, TourOrder order,
             std::uint64_t seed = 1) {
-  const std::vector<double> dark(cost.graph().size(), 0.0);
-  return Cycle(make_order(order, seed, cost.graph(), dark)->arrange(clusters, cost), cost);
+  const std::vector<double> no_power(cost.graph().size(), 0.0);
+  return Cycle(make_order(order, seed, cost.graph(), no_power)->arrange(clusters, cost), cost);
 }
 
 /// The cheapest closed tour, by trying all.
@@ -108,7 +108,7 @@ TEST(Cycle, GoesThroughABuildingRoomByRoom) {
             120u * 7u);
 }
 
-TEST(Cycle, BearsThousandsOfClusters) {
+TEST(Cycle, IsCheapestForThousandsOfClustersAndRepeatable) {
   const ClusterGraph graph = test::shuffled_rooms(300, 10, 1);
   const VisibilityCost cost(graph, test::random_bytes(graph.size(), 1), plenty);
   const auto clusters = test::all_clusters(graph);

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> backtracked(const ClusterGraph& graph,
   return numbers;
 }
 
-TEST(Backtracking, GoesDownAndComesBack) {
+TEST(Backtracking, GoesDepthFirstAndComesBack) {
   // A comb: the spine 0-1-2, a tooth at each end and two at the middle; 7 is seen by nobody.
   const ClusterGraph graph(8, {{0, 1}, {1, 2}, {0, 3}, {1, 4}, {1, 5}, {2, 6}});
   const auto order = backtracked(graph, test::all_clusters(graph));
@@ -35,13 +35,13 @@ TEST(Backtracking, GoesDownAndComesBack) {
   EXPECT_EQ(order, (std::vector<std::uint32_t>{0, 3, 1, 4, 5, 2, 6, 7}));
 }
 
-TEST(Backtracking, LeavesOutWhatIsNotOfThisRank) {
+TEST(Backtracking, LeavesOutClustersOfOtherRanks) {
   const ClusterGraph graph(4, {{0, 1}, {1, 2}, {2, 3}});
   EXPECT_EQ(backtracked(graph, {ClusterId(0), ClusterId(2), ClusterId(3)}),
             (std::vector<std::uint32_t>{0, 2, 3}));
 }
 
-TEST(UnshotEnergy, GoesWhereMostLightWaits) {
+TEST(UnshotEnergy, ChoosesTheClusterWithMostUnshotEnergy) {
   // A chain of rooms with the lamp in the last.
   const ClusterGraph graph(4, {{0, 1}, {1, 2}, {2, 3}});
   const auto order = make_order(TourOrder::unshot_energy, 1, graph, {0, 0, 0, 10});

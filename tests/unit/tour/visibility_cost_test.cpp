@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t plenty = 1ull << 40;
 
-/// What `cluster` needs as a set, straight from the graph.
+/// The clusters that `cluster` needs, as a set read from the graph.
 std::set<std::uint32_t> needs(const ClusterGraph& graph, std::uint32_t cluster) {
   const auto row = graph.neighbours(cluster);
   std::set<std::uint32_t> set(row.begin(), row.end());
@@ -39,14 +39,14 @@ TEST(VisibilityCost, IsDirected) {
   EXPECT_EQ(cost.between(ClusterId(1), ClusterId(0)), 0u);
 }
 
-TEST(VisibilityCost, WhatDoesNotFitIsPaidAgain) {
+TEST(VisibilityCost, BytesThatDoNotFitAreReadAgain) {
   const ClusterGraph graph(3, {{0, 1}, {0, 2}, {1, 2}});
   const VisibilityCost roomy(graph, {10, 10, 10}, 30), tight(graph, {10, 10, 10}, 12);
   EXPECT_EQ(roomy.between(ClusterId(0), ClusterId(1)), 0u);
   EXPECT_EQ(tight.between(ClusterId(0), ClusterId(1)), 18u);
 }
 
-TEST(VisibilityCost, GivenCountsWhatIsNotResident) {
+TEST(VisibilityCost, GivenCountsBytesThatAreNotResident) {
   const ClusterGraph graph(4, {{0, 1}, {0, 2}});
   const VisibilityCost cost(graph, {1, 10, 100, 1000}, plenty, {5, 5, 5, 5});
   EXPECT_EQ(cost.needed(ClusterId(0)), 116u);

@@ -1,4 +1,4 @@
-// What hides whom: screens, screens of several polygons, screens behind one another; and a slit,
+// Screens, screens of several polygons, and screens behind one another hide two plates; but a slit,
 // however thin, hides nothing.
 #include "visibility/occlusion.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tolerance_m = 1e-4;
 
-// Two plates, 1 x 1 m, that look at each other over 4 m; then what the test puts between.
+// Two plates, 1 x 1 m, that face each other over 4 m; tests put screens between them.
 plan::Plan two_plates() {
   plan::Plan plan;
   plan.rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
@@ -46,7 +46,7 @@ Sight sight(const plan::Plan& plan, const OcclusionConfig& config = {}) {
 
 TEST(Occlusion, FreeSightIsOpen) { EXPECT_EQ(sight(two_plates()), Sight::open); }
 
-TEST(Occlusion, BacksDoNotSeeEachOther) {
+TEST(Occlusion, PlatesThatShowTheirBacksAreHidden) {
   plan::Plan plan = two_plates();
   std::swap(plan.polygons[0][1], plan.polygons[0][3]);
   EXPECT_EQ(sight(plan), Sight::hidden);
@@ -69,7 +69,7 @@ TEST(Occlusion, TurnedAndFarAwayScreenHides) {
 }
 
 /// Lines that come through the slit at x = 1 end on the screen; others pass above it.
-TEST(Occlusion, TheLastWindowsOnTheWayNarrowTheBeam) {
+TEST(Occlusion, TheLastWindowsOfAPathNarrowTheLineSpace) {
   plan::Plan plan = two_plates();
   screen(plan, 5.5, -10, 0.6);
   const auto upright = [](double x, double y0, double y1) {

@@ -61,7 +61,7 @@ TEST(Leaks, AClosedBuildingAndAWindowHaveNone) {
   EXPECT_TRUE(find(window).leaks.empty());
 }
 
-TEST(Leaks, AMissingWallIsToldWithAWayOut) {
+TEST(Leaks, AMissingWallIsReportedWithAWayOut) {
   plan::Plan plan = without_a_wall(0.4);
   const auto move = plan::turn_and_move(100.0);
   plan.transform(move);
@@ -73,7 +73,7 @@ TEST(Leaks, AMissingWallIsToldWithAWayOut) {
   EXPECT_NE(found.complex.locate(move({8, 2, 1})), found.complex.locate(move({2, 2, 1})));
 }
 
-TEST(Leaks, AGapOfMillimetresIsToldAndBreaksNoRoom) {
+TEST(Leaks, AGapOfMillimetresIsReportedAndBreaksNoRoom) {
   const plan::Plan plan = without_a_wall(2.495);
   const Found found = find(plan);
   ASSERT_EQ(found.leaks.size(), 1u);
@@ -109,7 +109,7 @@ TEST(Leaks, ARoomThatIsTooOpenIsLostToTheOutside) {
   EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
 }
 
-TEST(Leaks, ARoomWithoutOneOfItsWallsIsToldWhereNoWallRunsOn) {
+TEST(Leaks, ARoomWithoutOneOfItsWallsIsReportedWhereNoWallRunsOn) {
   // Not one polygon in the plane of the wall that is missing.
   plan::Plan plan = plan::two_rooms();
   std::erase_if(plan.polygons, [](const Polygon& p) { return bounds(p).hi.x == 0.0; });
@@ -128,7 +128,7 @@ TEST(Leaks, ARoomWithoutOneOfItsWallsIsToldWhereNoWallRunsOn) {
   EXPECT_EQ(found.complex.cells()[right.index()].kind, CellKind::room);
 }
 
-TEST(Leaks, AWallThatASingleRoomLacksIsToldOfTheOneCell) {
+TEST(Leaks, AWallThatASingleRoomLacksIsReportedForItsOneCell) {
   for (std::size_t side = 0; side < 6; ++side) {
     plan::Plan plan = plan::one_room();
     const Polygon missing = plan.polygons[side];
@@ -161,7 +161,7 @@ TEST(Leaks, ARingAroundAPanelIsAsNarrowAsItsSides) {
   }
 }
 
-TEST(Leaks, OfTwoGapsTheOneThatIsMoreOpenIsTold) {
+TEST(Leaks, OfTwoGapsTheMoreOpenOneIsReported) {
   // A slit along the top of a wall and down one side of it has the larger hull, a wider one in the
   // other wall of that room more that is open.
   plan::Plan plan = plan::two_rooms();
