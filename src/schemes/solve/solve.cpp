@@ -114,8 +114,8 @@ IterationPlan iterate(const Solver& s, std::span<const ClusterId> own, const Ite
 }  // namespace
 
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks) {
-  return assign(prepared.graph, FormFactorEstimate(prepared.clusters),
-                {.method = config.assignment, .parts = ranks, .seed = config.seed});
+  return assign_clusters(prepared.graph, prepared.clusters,
+                         {.method = config.assignment, .parts = ranks, .seed = config.seed});
 }
 
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
