@@ -1,4 +1,4 @@
-// The command line of all executables: its subcommands, and one line for what is wrong with it.
+// The command line of all executables: subcommands, help, and one line for each fault.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // enfilade-mpi and enfilade-smpi: all subcommands, on the ranks of the real or of the simulated
-// machine. Which of the two is a matter of what is linked.
+// machine. The two executables differ in the libraries that they link.
 #include "app/command_line.hpp"
 #include "app/solve/command_solve.hpp"
 

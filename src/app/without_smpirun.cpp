@@ -1,5 +1,5 @@
-// What happens where enfilade-smpi is started by itself. smpirun loads it as a shared object, which
-// has no start of its own: here it gets one, that says in one line how to start it.
+// The entry point of enfilade-smpi where it is started without smpirun. smpirun loads it as a
+// shared object, which has no entry point; this one prints how to start the program, on one line.
 #include <unistd.h>
 
 #include <string_view>
@@ -23,7 +23,7 @@ extern "C" ENFILADE_START void enfilade_without_smpirun() {
       "enfilade: error: enfilade-smpi: command line: runs under smpirun alone; start it as "
       "'smpirun -platform platforms/office.xml -hostfile platforms/office-4.hosts -np 4 "
       "enfilade-smpi solve SCENE -o RUN'\n";
-  // A line that cannot be written changes nothing: the exit status says the same.
+  // Where the line cannot be written, the exit status remains.
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
   ::_exit(2);
 }

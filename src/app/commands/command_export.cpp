@@ -1,4 +1,4 @@
-// enfilade export: a RUN's solution as a model to look at, or its graph as data.
+// enfilade export: a RUN's solution as a glTF model, or its graph as JSON.
 #include <filesystem>
 
 #include "app/commands/commands.hpp"
@@ -13,6 +13,13 @@
 namespace enfilade {
 
 namespace {
+
+constexpr SubcommandText help_text{
+    "export", "Write the light as a glTF model, or the visibility graph as JSON",
+    "Examples:\n  enfilade export out/duplex -o duplex.glb     (vertex colours, unlit: any "
+    "viewer)\n"
+    "  enfilade export out/duplex -o graph.json     (clusters, their cell and surfaces, visible "
+    "pairs)"};
 
 struct ExportOptions {
   std::string run, output;
@@ -41,19 +48,10 @@ void add_options(CLI::App& sub, ExportOptions& o) {
       ->required();
 }
 
-constexpr const char* footer =
-    "Examples:\n  enfilade export out/duplex -o duplex.glb     (vertex colours, unlit: any "
-    "viewer)\n"
-    "  enfilade export out/duplex -o graph.json     (clusters, their cell and surfaces, visible "
-    "pairs)";
-
 }  // namespace
 
 void add_export(CLI::App& cli, Command& chosen) {
-  add_subcommand(
-      cli, chosen,
-      {"export", "Write the light as a glTF model, or the visibility graph as JSON", footer},
-      add_options, run_export);
+  add_subcommand(cli, chosen, help_text, add_options, run_export);
 }
 
 }  // namespace enfilade

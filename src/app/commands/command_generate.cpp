@@ -12,6 +12,29 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "generate", "Make a building's scene from a short description",
+    "Examples:\n"
+    "  enfilade generate --preset demo -o demo.json\n"
+    "  enfilade generate --preset rr3425 --floors 60 -o tower.json\n"
+    "  enfilade generate --wings 6,8:60 --floors 2 --furniture lamp=60,desk=20,chair=20 -o l.json\n"
+    "  enfilade generate --preset rr3425 --furnace 100 -o furnace.json\n"
+    "  enfilade generate building.json --rotate 30 -o scene.json\n\n"
+    "A building is a corridor with a room on either side of every bay, storey over storey. Its "
+    "wings\n"
+    "follow each other; one that turns is an arc, cut into one chord a bay. A description holds "
+    "the\n"
+    "options' names as keys, with _ for -:\n\n"
+    "  {\"format\": \"enfilade-building\", \"version\": 1, \"floors\": 3,\n"
+    "   \"wings\": [{\"bays\": 6}, {\"bays\": 8, \"turn\": 60}], \"stairs\": 1,\n"
+    "   \"furniture\": {\"lamp\": 60, \"desk\": 20, \"chair\": 20}}\n\n"
+    "Furniture is counted by storey, and dealt over the rooms by the seed. Kinds: lamp, desk, "
+    "chair,\n"
+    "table, shelf, cupboard, bin, plant, monitor, desk_lamp, picture.\n"
+    "Presets: demo (a small coloured house), rr3425 (a building of the size of the paper's: "
+    "57,786\n"
+    "surfaces, 2,000 lights; prepare makes 615 cells and 12,942 clusters of it)."};
+
 struct GenerateOptions {
   std::string description, preset, output;
   std::vector<BuildingOption> changes;
@@ -31,10 +54,7 @@ Building building_of(const GenerateOptions& options) {
 }
 
 void run_generate(const GenerateOptions& options, const Console& console) {
-  check_output_file(options.output);
-  if (!options.output.ends_with(".json")) {
-    throw InputError(options.output, "-o", "is no name of a scene file", "let it end in .json");
-  }
+  check_scene_output(options.output);
   const Building building = building_of(options);
   SceneStream stream(options.output, ExitanceUnit::lumen_per_m2);
   std::vector<Probe> probes;
@@ -77,28 +97,6 @@ void add_field(CLI::App& sub, GenerateOptions& o, const BuildingField& field) {
   add_change(sub, o, field.key, help);
 }
 
-constexpr const char* footer =
-    "Examples:\n"
-    "  enfilade generate --preset demo -o demo.json\n"
-    "  enfilade generate --preset rr3425 --floors 60 -o tower.json\n"
-    "  enfilade generate --wings 6,8:60 --floors 2 --furniture lamp=60,desk=20,chair=20 -o l.json\n"
-    "  enfilade generate --preset rr3425 --furnace 100 -o furnace.json\n"
-    "  enfilade generate building.json --rotate 30 -o scene.json\n\n"
-    "A building is a corridor with a room on either side of every bay, storey over storey. Its "
-    "wings\n"
-    "follow each other; one that turns is an arc, cut into one chord a bay. A description holds "
-    "the\n"
-    "options' names as keys, with _ for -:\n\n"
-    "  {\"format\": \"enfilade-building\", \"version\": 1, \"floors\": 3,\n"
-    "   \"wings\": [{\"bays\": 6}, {\"bays\": 8, \"turn\": 60}], \"stairs\": 1,\n"
-    "   \"furniture\": {\"lamp\": 60, \"desk\": 20, \"chair\": 20}}\n\n"
-    "Furniture is counted by storey, and dealt over the rooms by the seed. Kinds: lamp, desk, "
-    "chair,\n"
-    "table, shelf, cupboard, bin, plant, monitor, desk_lamp, picture.\n"
-    "Presets: demo (a small coloured house), rr3425 (a building of the size of the paper's: "
-    "57,786\n"
-    "surfaces, 2,000 lights; prepare makes 615 cells and 12,942 clusters of it).";
-
 void add_options(CLI::App& sub, GenerateOptions& o) {
   auto* file = sub.add_option("description", o.description, "Building to make (JSON)");
   sub.add_option("--preset", o.preset, "Building to make: " + preset_names())->excludes(file);
@@ -113,9 +111,7 @@ void add_options(CLI::App& sub, GenerateOptions& o) {
 }  // namespace
 
 void add_generate(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen,
-                 {"generate", "Make a building's scene from a short description", footer},
-                 add_options, run_generate);
+  add_subcommand(cli, chosen, help_text, add_options, run_generate);
 }
 
 }  // namespace enfilade

@@ -2,7 +2,6 @@
 #include "app/commands/commands.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
-#include "base/error.hpp"
 #include "import/import_model.hpp"
 #include "scene_file/scene_io.hpp"
 
@@ -10,15 +9,29 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "import", "Make a scene file from a glTF, OBJ, IFC or Radiance model",
+    "Example:\n  enfilade import house.glb -o house.json\n\n"
+    "  enfilade import office.rad -o office.json\n\n"
+    "Lengths are taken as metres. Base colour becomes reflectance, emission becomes exitance:\n"
+    "lm/m2 where the model has luminances (glTF, OBJ, IFC), W/m2 of a Radiance model's "
+    "radiances.\n"
+    "Materials give three bands: red, green, blue.\n\n"
+    "Radiance (.rad): polygons, rings, cylinders, cones, cups, tubes, spheres and bubbles with "
+    "the\n"
+    "diffuse part of their materials, reflecting on both sides and emitting from the front. "
+    "Round\n"
+    "shapes get 24 sides of the circle's area, spheres 16 x 8 faces of the sphere's area. Of\n"
+    "commands, plain !xform lines are carried out (-n -t -rx -ry -rz -s -mx -my -mz); a model "
+    "with\n"
+    "others must be expanded by Radiance's own xform first."};
+
 struct ImportOptions {
   std::string model, output;
 };
 
 void run_import(const ImportOptions& options, const Console& console) {
-  check_output_file(options.output);
-  if (!options.output.ends_with(".json")) {
-    throw InputError(options.output, "-o", "is no name of a scene file", "let it end in .json");
-  }
+  check_scene_output(options.output);
   Warnings warnings;
   const Scene scene = import_model(options.model, warnings);
   console.warnings(warnings);
@@ -35,28 +48,10 @@ void add_options(CLI::App& sub, ImportOptions& o) {
   sub.add_option("-o,--output", o.output, "Scene file to write (JSON)")->required();
 }
 
-constexpr const char* footer =
-    "Example:\n  enfilade import house.glb -o house.json\n\n"
-    "  enfilade import office.rad -o office.json\n\n"
-    "Lengths are taken as metres. Base colour becomes reflectance, emission becomes exitance:\n"
-    "lm/m2 where the model has luminances (glTF, OBJ, IFC), W/m2 of a Radiance model's "
-    "radiances.\n"
-    "Materials give three bands: red, green, blue.\n\n"
-    "Radiance (.rad): polygons, rings, cylinders, cones, cups, tubes, spheres and bubbles with "
-    "the\n"
-    "diffuse part of their materials, reflecting on both sides and emitting from the front. "
-    "Round\n"
-    "shapes get 24 sides of the circle's area, spheres 16 x 8 faces of the sphere's area. Of\n"
-    "commands, plain !xform lines are carried out (-n -t -rx -ry -rz -s -mx -my -mz); a model "
-    "with\n"
-    "others must be expanded by Radiance's own xform first.";
-
 }  // namespace
 
 void add_import(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen,
-                 {"import", "Make a scene file from a glTF, OBJ, IFC or Radiance model", footer},
-                 add_options, run_import);
+  add_subcommand(cli, chosen, help_text, add_options, run_import);
 }
 
 }  // namespace enfilade

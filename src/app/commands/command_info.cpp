@@ -17,6 +17,10 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "info", "Print the figures of a scene or of a RUN directory",
+    "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex"};
+
 std::string shown(const Spectrum& spectrum, const char* unit) {
   return fmt::format("{:.4g} {}", fmt::join(spectrum, ", "), unit);
 }
@@ -101,15 +105,10 @@ void add_options(CLI::App& sub, InfoOptions& o) {
   sub.add_option("input", o.input, "Scene file or RUN directory")->required();
 }
 
-constexpr const char* footer =
-    "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex";
-
 }  // namespace
 
 void add_info(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen,
-                 {"info", "Print the figures of a scene or of a RUN directory", footer},
-                 add_options, run_info);
+  add_subcommand(cli, chosen, help_text, add_options, run_info);
 }
 
 }  // namespace enfilade

@@ -12,6 +12,15 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "locate", "Say which cell each point lies in",
+    "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
+    "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
+    "...]}.\n"
+    "The answers stand in the points' order. The outside is a cell as well, where a surface or a "
+    "portal\nlies at it; -1 is in no cell: inside of a solid, or in an outside that nothing "
+    "sees."};
+
 struct LocateOptions {
   std::string run, points, output;
 };
@@ -45,19 +54,10 @@ void add_options(CLI::App& sub, LocateOptions& o) {
   sub.add_option("-o,--output", o.output, "File to write: {\"cells\": [id, ...]}")->required();
 }
 
-constexpr const char* footer =
-    "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
-    "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
-    "...]}.\n"
-    "The answers stand in the points' order. The outside is a cell as well, where a surface or a "
-    "portal\nlies at it; -1 is in no cell: inside of a solid, or in an outside that nothing "
-    "sees.";
-
 }  // namespace
 
 void add_locate(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, {"locate", "Say which cell each point lies in", footer}, add_options,
-                 run_locate);
+  add_subcommand(cli, chosen, help_text, add_options, run_locate);
 }
 
 }  // namespace enfilade

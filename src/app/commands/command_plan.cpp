@@ -1,4 +1,5 @@
-// enfilade plan: cells, portals, what one cell sees, and who works on what, storey by storey.
+// enfilade plan: plans of the storeys, with cells and portals, the clusters visible from one cell,
+// or the ranks' clusters.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -22,6 +23,14 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "plan", "Draw plans of the storeys: cells and portals, what a cell sees, the ranks' shares",
+    "Examples:\n  enfilade plan out/duplex -o plan.svg\n"
+    "  enfilade plan out/duplex -o seen.png --storey 1 --visible-from 3\n"
+    "  enfilade plan out/duplex -o shares.svg --ranks 8 --assignment metis\n\n"
+    "Areas are where a level cut meets the cells, exactly; in the SVG the map is in metres, and "
+    "every\ncell, cluster and portal says its number under the mouse."};
+
 struct PlanOptions {
   std::string run, output, show, visible_from;
   int storey = 0, ranks = 0;
@@ -29,7 +38,7 @@ struct PlanOptions {
   std::uint64_t seed = AssignmentConfig{}.seed;
   FloorPlanConfig plan;
 
-  /// Given, or what the other options are for.
+  /// --show, or the subject that the other options imply.
   std::string subject() const {
     if (!show.empty()) return show;
     if (!visible_from.empty()) return "visible";
@@ -202,21 +211,10 @@ void add_options(CLI::App& sub, PlanOptions& o) {
   add_subject_options(sub, o);
 }
 
-constexpr const char* footer =
-    "Examples:\n  enfilade plan out/duplex -o plan.svg\n"
-    "  enfilade plan out/duplex -o seen.png --storey 1 --visible-from 3\n"
-    "  enfilade plan out/duplex -o shares.svg --ranks 8 --assignment metis\n\n"
-    "Areas are where a level cut meets the cells, exactly; in the SVG the map is in metres, and "
-    "every\ncell, cluster and portal says its number under the mouse.";
-
 }  // namespace
 
 void add_plan(CLI::App& cli, Command& chosen) {
-  add_subcommand(
-      cli, chosen,
-      {"plan", "Draw plans of the storeys: cells and portals, what a cell sees, the ranks' shares",
-       footer},
-      add_options, run_plan);
+  add_subcommand(cli, chosen, help_text, add_options, run_plan);
 }
 
 }  // namespace enfilade

@@ -13,6 +13,12 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "prepare", "Cut a scene into cells and clusters, and find who can see whom",
+    "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
+    "solve does this by itself where it has not been done, with --no-proof: the proofs pay where "
+    "it makes millions of links. One rank works, whatever mpirun starts."};
+
 struct PrepareOptions {
   std::string scene, run;
   bool pictures = true;
@@ -56,18 +62,10 @@ void add_options(CLI::App& sub, PrepareOptions& o) {
   sub.add_flag("!--no-pictures", o.pictures, "Draw no plans of the storeys into RUN/pictures");
 }
 
-constexpr const char* footer =
-    "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
-    "solve does this by itself where it has not been done, with --no-proof: the proofs pay where "
-    "it makes millions of links. One rank works, whatever mpirun starts.";
-
 }  // namespace
 
 void add_prepare(CLI::App& cli, Command& chosen) {
-  add_subcommand(
-      cli, chosen,
-      {"prepare", "Cut a scene into cells and clusters, and find who can see whom", footer},
-      add_options, run_prepare);
+  add_subcommand(cli, chosen, help_text, add_options, run_prepare);
 }
 
 }  // namespace enfilade

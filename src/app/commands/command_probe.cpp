@@ -11,6 +11,13 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "probe", "Say how much light arrives at points",
+    "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
+    "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
+    "irradiance\n"
+    "on a plane through p with normal n, per band, in the unit that the answer names."};
+
 struct ProbeOptions {
   std::string run, points, output, from = "gather";
   PointGatherConfig gather;
@@ -53,17 +60,10 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
       ->capture_default_str();
 }
 
-constexpr const char* footer =
-    "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
-    "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
-    "irradiance\n"
-    "on a plane through p with normal n, per band, in the unit that the answer names.";
-
 }  // namespace
 
 void add_probe(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, {"probe", "Say how much light arrives at points", footer},
-                 add_options, run_probe);
+  add_subcommand(cli, chosen, help_text, add_options, run_probe);
 }
 
 }  // namespace enfilade

@@ -18,6 +18,12 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "render", "Make a PNG picture of a solved scene",
+    "Examples:\n  enfilade render out/duplex -o room.png\n"
+    "  enfilade render out/duplex -o plan.png --camera storey-1 --false-colour\n"
+    "  enfilade render out/duplex -o desk.png --eye 2 1 1.6 --look-at 4 3 0.8 --angle 50"};
+
 struct RenderOptions {
   std::string run, output, camera_file, camera_name;
   std::vector<double> eye, look_at, up;
@@ -30,8 +36,7 @@ struct RenderOptions {
 
 Vec3 point(const std::vector<double>& p) { return {p[0], p[1], p[2]}; }
 
-/// From --eye and --look-at, else by name from --cameras or from those that find their place
-/// themselves.
+/// The camera of --eye and --look-at, else the named one of --cameras or of the automatic cameras.
 Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
   if (!options.eye.empty()) {
     Camera camera;
@@ -153,16 +158,10 @@ void add_options(CLI::App& sub, RenderOptions& o) {
   add_picture_options(sub, o);
 }
 
-constexpr const char* footer =
-    "Examples:\n  enfilade render out/duplex -o room.png\n"
-    "  enfilade render out/duplex -o plan.png --camera storey-1 --false-colour\n"
-    "  enfilade render out/duplex -o desk.png --eye 2 1 1.6 --look-at 4 3 0.8 --angle 50";
-
 }  // namespace
 
 void add_render(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, {"render", "Make a PNG picture of a solved scene", footer},
-                 add_options, run_render);
+  add_subcommand(cli, chosen, help_text, add_options, run_render);
 }
 
 }  // namespace enfilade

@@ -11,6 +11,13 @@ namespace enfilade {
 
 namespace {
 
+constexpr SubcommandText help_text{
+    "report", "Make one page about one run, or about several side by side",
+    "Example:\n  enfilade report out/fine out/coarse -o compare.html\n\n"
+    "The page has pictures, plans coloured by rank, the error over the iterations, and where the "
+    "time\n"
+    "went on each rank. With several runs a table that compares them comes first."};
+
 struct ReportOptions {
   std::vector<std::string> runs;
   std::string output;
@@ -39,18 +46,10 @@ void add_options(CLI::App& sub, ReportOptions& o) {
   sub.add_flag("!--no-pictures", o.pictures, "Plans and tables alone");
 }
 
-constexpr const char* footer =
-    "Example:\n  enfilade report out/fine out/coarse -o compare.html\n\n"
-    "The page has pictures, plans coloured by rank, the error over the iterations, and where the "
-    "time\n"
-    "went on each rank. With several runs a table that compares them comes first.";
-
 }  // namespace
 
 void add_report(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen,
-                 {"report", "Make one page about one run, or about several side by side", footer},
-                 add_options, run_report);
+  add_subcommand(cli, chosen, help_text, add_options, run_report);
 }
 
 }  // namespace enfilade

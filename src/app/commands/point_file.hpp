@@ -1,4 +1,4 @@
-// Points files: what `locate` is asked about.
+// Points files: the input of `locate`.
 #pragma once
 
 #include <string>

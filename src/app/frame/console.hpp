@@ -1,4 +1,4 @@
-// What the program says, and where: results on standard output, errors, warnings and progress on
+// The program's output: results on standard output, errors, warnings and progress on
 // standard error.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace enfilade {
 
-/// One rank of a run speaks; on the others every call does nothing.
+/// One rank of a run speaks; on the other ranks every call does nothing.
 class Console {
  public:
   explicit Console(bool speaks);
@@ -20,13 +20,13 @@ class Console {
   Console& operator=(Console&&) noexcept;
 
   bool speaks() const { return speaks_; }
-  /// Standard output, as it is.
+  /// Writes the text, unchanged, to standard output.
   void print(std::string_view text) const;
   /// "enfilade: error: ..." on one line, whatever line breaks the message has.
   void error(const std::string& message) const;
   /// "enfilade: warning: ...", one line a kind of warning.
   void warnings(const Warnings& warnings) const;
-  /// One line on standard error, for what is good to know: "enfilade: ...".
+  /// Writes one line on standard error that is neither an error nor a warning: "enfilade: ...".
   void note(const std::string& message) const;
   /// Shows phases, percent and an estimate of the time left, on a terminal; empty where standard
   /// error is none.

@@ -1,5 +1,4 @@
-// Checks of option values that refuse what is no finite number, which CLI11's own ranges let
-// through.
+// Checks of option values. Unlike CLI11's own ranges, they refuse infinity and what is no number.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -28,4 +28,11 @@ void check_output_file(const std::string& path) {
   }
 }
 
+void check_scene_output(const std::string& path) {
+  check_output_file(path);
+  if (!path.ends_with(".json")) {
+    throw InputError(path, "-o", "is no name of a scene file", "let it end in .json");
+  }
+}
+
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-// Files that -o names are looked at before the work that fills them.
+// Checks of the files that -o names, made before the work that fills them.
 #pragma once
 
 #include <string>
@@ -8,5 +8,7 @@ namespace enfilade {
 /// Throws InputError where `path` cannot become a file: its directory does not exist or may not be
 /// written, or it is a directory itself.
 void check_output_file(const std::string& path);
+/// The same for a scene file, whose name must end in .json.
+void check_scene_output(const std::string& path);
 
 }  // namespace enfilade

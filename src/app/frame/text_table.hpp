@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// Rows of a label and what is said of it; the values stand in one column.
+/// Rows of a label and a value; the values stand in one column.
 class TextTable {
  public:
   explicit TextTable(std::string title = "") : title_(std::move(title)) {}

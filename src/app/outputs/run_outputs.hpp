@@ -1,4 +1,4 @@
-// What stands in RUN/ after a solve, beside the solution itself.
+// The files for people that a solve writes into RUN/, beside the solution itself.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ struct RunOutputs {
   bool pictures = true;
 };
 
-/// What the solve left in memory.
+/// Results of the solve that are in memory.
 struct RunRecords {
   Prepared prepared;
   RunRecord stats;
@@ -32,7 +32,8 @@ struct RunRecords {
 /// The file history.json: one record an iteration.
 std::string history_json(std::span<const IterationSummary> history);
 
-/// Takes away what an earlier solve wrote, so that nothing of it stands beside a new solution.
+/// Removes the files that an earlier solve wrote, so that none of them stands beside a new
+/// solution. Throws RunError where one cannot be removed.
 void remove_run_outputs(const std::string& run_directory);
 
 /// stats.json, history.json, warnings.json and assignment.json; surfaces.csv, solution.glb,
@@ -40,7 +41,7 @@ void remove_run_outputs(const std::string& run_directory);
 /// `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
 
-/// The page of a run that has a solution: with plans, and pictures where they are asked for.
+/// The page of a run that has a solution: with plans, and with pictures where `pictures` is true.
 RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
                       const Progress& progress);
 

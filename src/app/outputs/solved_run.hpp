@@ -1,4 +1,4 @@
-// A solved RUN opened for questions about its light.
+// A solved RUN, opened to gather from and to draw.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace enfilade {
 
-/// The preparation, the solution and the gatherer over both. Stays where it is made: its parts
+/// The preparation, the solution and the gatherer over both. Neither copied nor moved: its parts
 /// refer to each other.
 class SolvedRun {
  public:

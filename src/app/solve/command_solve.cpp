@@ -30,7 +30,8 @@ namespace enfilade {
 
 namespace {
 
-/// Checked on one rank first, so that one line is printed and all leave in order.
+/// Checks the options on the root first, so that a fault is printed once and all ranks end in
+/// order.
 SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
   session.communicator().on_root([&] {
     options.config();
@@ -62,7 +63,7 @@ void check_local_directory(const std::string& directory) {
       "name a directory that can");
 }
 
-/// Nothing for a RUN directory that is solved in place.
+/// Empty for a RUN directory that is solved in place.
 SceneSource source_of(const std::string& scene_file) {
   if (scene_file.empty()) return {};
   return [scene_file](Warnings& warnings) { return read_scene_or_model(scene_file, warnings); };
@@ -75,7 +76,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   Machine& machine = session.machine(options.cost_model);
 
   Warnings warnings;
-  PrepareConfig prepare_config;  // proofs of what is hidden pay where there are millions of links
+  PrepareConfig prepare_config;  // proofs of hidden pairs pay where a solve makes millions of links
   prepare_config.visibility.prove_hidden = false;
   Prepared prepared =
       prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
@@ -83,7 +84,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   console.warnings(warnings);
 
   communicator.on_root([&] {
-    // What every rank is about to read is read by one first, who tells what is wrong with it.
+    // The root reads first what every rank is about to read, so that a fault is reported once.
     if (config.resume) committed_iterations(config.run_directory);
     if (!config.local_directory.empty()) check_local_directory(config.local_directory);
     remove_run_outputs(config.run_directory);
@@ -108,7 +109,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   });
 }
 
-/// A recorded run on other computers: stats.json and history.json, and no light.
+/// Replays a recorded run on other computers. RUN gets stats.json and history.json, and no light.
 void run_replay(const SolveOptions& options, RankSession& session) {
   Communicator& communicator = session.communicator();
   const SolveConfig config = agree_on_config(options, session);

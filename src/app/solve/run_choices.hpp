@@ -1,4 +1,4 @@
-// What a run chose by itself, each choice with its reason: no more than the scene needs.
+// The choices that a run made by itself, each with its reason.
 #pragma once
 
 #include "base/run_record.hpp"

@@ -9,7 +9,7 @@ namespace enfilade {
 
 /// Adds version, revision, scene_hash, seed, target_error and the strategies to a record.
 void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& prepared);
-/// Of those, what does not need the scene.
+/// The subset of these that does not depend on the scene.
 void describe_strategies(RunRecord& record, const SolveConfig& config);
 
 }  // namespace enfilade

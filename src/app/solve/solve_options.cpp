@@ -28,7 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the light depends on, or where it goes; the rest is how the work is shared out.
+/// Options that the light depends on, or where it is written; a replay computes no light and
+/// refuses them. The other options concern how the work is shared out.
 constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
@@ -39,7 +40,7 @@ Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
 }
 
-/// Without the error that the file system's own function throws for what it may not look at.
+/// Does not throw, unlike fs::is_directory without an error code, where access is denied.
 bool is_directory(const std::string& path) {
   std::error_code code;
   return fs::is_directory(path, code);

@@ -42,7 +42,7 @@ struct SolveOptions {
 
  private:
   void check_replay() const;
-  /// A rival scheme shares the work out in its own way.
+  /// Throws InputError for options that the chosen scheme ignores.
   void check_scheme() const;
   bool gave(const std::string& option) const;
 };

@@ -1,4 +1,4 @@
-// What `solve` says while it works, and at its end.
+// What `solve` prints: progress while it works, and a table at its end.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace enfilade {
 
-/// Turns committed iterations into progress: the share of the way from the first one's error to the
-/// asked one, on a logarithmic scale.
+/// Turns committed iterations into progress: the share of the way from the first iteration's error
+/// to the target error, on a logarithmic scale.
 class SolveProgress {
  public:
   SolveProgress(double target_error, Progress progress)
