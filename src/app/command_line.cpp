@@ -1,10 +1,9 @@
 #include "app/command_line.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <vector>
 
-#include "app/console.hpp"
+#include "app/commands/commands.hpp"
 #include "base/nearest_word.hpp"
 
 namespace enfilade {
@@ -49,11 +48,13 @@ InputError fault_of(const CLI::App& cli, const CLI::ParseError& error) {
                     "see '" + help + "'");
 }
 
-void add_subcommands(CLI::App& cli, Command& chosen) {
+/// In the order in which `enfilade --help` lists them.
+void add_subcommands(CLI::App& cli, Command& chosen,
+                     const std::function<void(CLI::App&)>& add_solve) {
   add_generate(cli, chosen);
   add_import(cli, chosen);
   add_prepare(cli, chosen);
-  add_solve(cli, chosen);
+  add_solve(cli);
   add_probe(cli, chosen);
   add_render(cli, chosen);
   add_export(cli, chosen);
@@ -65,14 +66,15 @@ void add_subcommands(CLI::App& cli, Command& chosen) {
 
 }  // namespace
 
-CommandLine parse_command_line(int argc, const char* const* argv) {
+CommandLine parse_command_line(int argc, const char* const* argv,
+                               const std::function<void(CLI::App&)>& add_solve) {
   CommandLine line;
   CLI::App cli(about, "enfilade");
   cli.footer(examples);
   cli.set_version_flag("--version", "enfilade " ENFILADE_VERSION);
   cli.require_subcommand(1);
   cli.get_formatter()->column_width(32);
-  add_subcommands(cli, line.command);
+  add_subcommands(cli, line.command, add_solve);
   const auto names = subcommand_names(cli);
   if (argc > 1 && argv[1][0] != '-' && std::ranges::find(names, argv[1]) == names.end()) {
     line.fault = unknown_subcommand(names, argv[1]);
@@ -94,11 +96,12 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 
 int run(const CommandLine& line, Session& session) {
   session.console().print(line.text);
-  if (line.fault) session.console().error(line.fault->what());
-  if (line.fault) return exit_status_of(*line.fault);
+  if (line.fault) {
+    session.console().error(line.fault->what());
+    return bad_input_status;
+  }
   try {
-    if (line.command.run && (line.command.on_every_rank || session.root()))
-      line.command.run(session);
+    if (line.command && session.root()) line.command(session.console());
     return 0;
   } catch (const std::exception& error) {
     return session.fail(error);

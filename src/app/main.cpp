@@ -1,9 +1,18 @@
-// enfilade and enfilade-smpi: the same main, linked with the real or with the simulated machine.
+// enfilade: every subcommand but `solve`, without MPI; `solve` and the ranks of a launcher are left
+// to enfilade-mpi.
 #include "app/command_line.hpp"
-#include "app/session.hpp"
+#include "app/enfilade_mpi.hpp"
+#include "app/frame/solve_name.hpp"
 
 int main(int argc, char** argv) {
-  const enfilade::CommandLine line = enfilade::parse_command_line(argc, argv);
-  enfilade::Session session(argc, argv, line.command.on_every_rank);
-  return enfilade::run(line, session);
+  using namespace enfilade;
+  Session session;
+  try {
+    if (needs_mpi(argc, argv)) become_enfilade_mpi(argv);
+  } catch (const std::exception& error) {
+    return session.fail(error);
+  }
+  const CommandLine line = parse_command_line(
+      argc, argv, [](CLI::App& cli) { cli.add_subcommand(solve_name, solve_description); });
+  return run(line, session);
 }

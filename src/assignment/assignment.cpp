@@ -93,4 +93,9 @@ std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& we
   return owner;
 }
 
+std::vector<Rank> assign_clusters(const ClusterGraph& graph, std::span<const Cluster> clusters,
+                                  const AssignmentConfig& config) {
+  return assign(graph, FormFactorEstimate(clusters), config);
+}
+
 }  // namespace enfilade

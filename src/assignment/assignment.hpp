@@ -34,6 +34,10 @@ struct AssignmentConfig {
 std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& weights,
                          const AssignmentConfig& config);
 
+/// The same, with the form factors between the clusters as weights. clusters[i] is node i.
+std::vector<Rank> assign_clusters(const ClusterGraph& graph, std::span<const Cluster> clusters,
+                                  const AssignmentConfig& config);
+
 /// Hops from `source` to every node of G_val, 0xFFFFFFFF to a node in another component: one row of
 /// Warshall's matrix (§3.3.1), by breadth-first search.
 std::vector<std::uint32_t> hop_distances(const ClusterGraph& graph, std::size_t source);

@@ -29,7 +29,7 @@ install(FILES ${PROJECT_BINARY_DIR}/enfiladeConfig.cmake
               ${enfilade_find_modules}
         DESTINATION ${ENFILADE_PACKAGE_DIR})
 
-install(TARGETS enfilade RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS enfilade enfilade-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET enfilade-smpi)
   install(PROGRAMS $<TARGET_FILE:enfilade-smpi> DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

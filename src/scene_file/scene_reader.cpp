@@ -3,8 +3,10 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 #include "json/json_text.hpp"
 #include "scene_file/key_reader.hpp"
@@ -14,6 +16,13 @@ namespace enfilade {
 namespace {
 
 using nlohmann::json;
+
+/// Keys of the top level. Those of the last two rows describe the building and where the model
+/// comes from; the solver has no use for them. Models are taken with z up, so "up" may say "z".
+constexpr std::array<std::string_view, 20> known_keys{
+    "format", "version", "units",   "surfaces",    "lights",     "probes",   "exitanceUnits",
+    "up",     "rooms",   "doors",   "portals",     "luminaires", "offset_m", "tool",
+    "source", "licence", "license", "attribution", "copyright",  "author"};
 
 class SceneReader {
  public:
@@ -51,8 +60,9 @@ class SceneReader {
                    "write version 1");
       } else if (key == "exitanceUnits") {
         read_unit(*it);
-      } else if (key != "format" && key != "version" && key != "units" && key != "surfaces" &&
-                 key != "lights" && key != "probes") {
+      } else if (key == "up" && *it != "z") {
+        unknown_.insert(key);
+      } else if (std::ranges::find(known_keys, key) == known_keys.end()) {
         unknown_.insert(key);
       }
     }

@@ -25,16 +25,10 @@ struct Corners {
 // The corners of the smallest box along the axes that holds all parts.
 Corners corners(const std::vector<LineSpacePart>& parts, const std::array<Vec3, 3>& axes) {
   Box box;
-  for (const LineSpacePart& part : parts) {
-    for (const Vec3& p : part.polygon()) {
-      box.add(Vec3(glm::dot(p, axes[0]), glm::dot(p, axes[1]), glm::dot(p, axes[2])));
-    }
-  }
+  for (const LineSpacePart& part : parts) box.add(bounds_along(part.polygon(), axes));
   Corners found;
-  for (int i = 0; i < 8; ++i) {
-    found.points.push_back((i & 1 ? box.hi.x : box.lo.x) * axes[0] +
-                           (i & 2 ? box.hi.y : box.lo.y) * axes[1] +
-                           (i & 4 ? box.hi.z : box.lo.z) * axes[2]);
+  for (const Vec3& c : box.corners()) {
+    found.points.push_back(c.x * axes[0] + c.y * axes[1] + c.z * axes[2]);
   }
   const Vec3 e = box.extent();
   found.volume_m3 = e.x * e.y * e.z;

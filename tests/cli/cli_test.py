@@ -89,6 +89,30 @@ class Help(unittest.TestCase):
         self.assertEqual(result.stdout, enfilade("--help").stdout)
 
 
+class Executables(InScratch):
+    """enfilade links no MPI, and leaves solve and the ranks of mpirun to enfilade-mpi beside it."""
+
+    def test_enfilade_links_no_mpi(self):
+        libraries = subprocess.run(["ldd", ENFILADE], capture_output=True, text=True, check=True).stdout
+        self.assertNotRegex(libraries, r"(?i)libmpi|pmix|open-rte")
+
+    def test_one_rank_of_mpirun_does_the_work_of_a_single_process(self):
+        self.assertEqual(enfilade("info", ROOM, ranks=3).stdout, enfilade("info", ROOM).stdout)
+
+    def test_enfilade_mpi_is_found_through_a_link(self):
+        link = self.scratch / "linked"
+        link.symlink_to(ENFILADE)
+        result = subprocess.run([link, "solve", "--help"], capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stdout), (0, enfilade("solve", "--help").stdout))
+
+    def test_a_missing_enfilade_mpi_is_one_line(self):
+        alone = self.scratch / "enfilade"
+        shutil.copy(ENFILADE, alone)
+        result = subprocess.run([alone, "solve", ROOM, "-o", self.scratch / "run"], capture_output=True, text=True)
+        self.assert_refused(result, "enfilade-mpi", "build the target enfilade-mpi")
+        self.assertEqual(subprocess.run([alone, "info", ROOM], capture_output=True).returncode, 0)
+
+
 class CommandLine(InScratch):
     def test_no_subcommand(self):
         self.assert_refused(enfilade(), "command line", "enfilade --help")
@@ -536,6 +560,11 @@ class Workflow(InScratch):
 @unittest.skipUnless(os.environ.get("ENFILADE_SMPI"), "built without SimGrid")
 class Simulated(InScratch):
     """The same command line on a simulated cluster."""
+
+    def test_without_smpirun_one_line_says_how_to_start_it(self):
+        for words in ([], ["--help"], ["solve", ROOM, "-o", self.scratch / "run"]):
+            result = subprocess.run([os.environ["ENFILADE_SMPI"], *words], capture_output=True, text=True)
+            self.assert_refused(result, "smpirun -platform")
 
     def smpirun(self, ranks, *args):
         command = [ROOT / ".ci/smpirun.sh", str(ranks), os.environ["ENFILADE_SMPI"], *map(str, args)]

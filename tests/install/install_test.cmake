@@ -14,3 +14,4 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/consumer -G Ninja
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer ${SCENE})
 run(${WORK}/prefix/bin/enfilade --version)
+run(${WORK}/prefix/bin/enfilade solve --help)  # found beside it: enfilade-mpi

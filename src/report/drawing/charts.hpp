@@ -27,7 +27,7 @@ struct Layer {
 std::string stacked_bars(const std::vector<std::string>& labels, const std::vector<Layer>& layers,
                          const std::string& unit);
 
-/// &, <, >, " and ' made safe for HTML and SVG.
+/// The text with &, <, >, " and ' escaped for HTML and SVG.
 std::string escaped(const std::string& text);
 
 }  // namespace enfilade

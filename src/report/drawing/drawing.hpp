@@ -12,7 +12,8 @@ namespace enfilade {
 
 using Path = std::vector<Vec2>;
 
-/// Areas or lines of one look. Areas of one shape must not overlap unless they turn the same way.
+/// Areas or lines with one style. Areas of one shape must not overlap unless they have the same
+/// orientation.
 struct Shape {
   std::string kind;  ///< CSS class in the SVG
   std::vector<Path> paths;
@@ -31,10 +32,10 @@ struct Words {
   bool centred = false;
 };
 
-/// How metres (y up) come to lie on the sheet (pixels, y down), and what of them shows.
+/// The map from metres (y up) to the sheet's pixels (y down), and the part of it that is shown.
 struct MapFrame {
   double px_per_m = 1.0;
-  Vec2 lo_m{0.0}, hi_m{0.0};  ///< what is beyond is cut off
+  Vec2 lo_m{0.0}, hi_m{0.0};  ///< the map is clipped to this box
   Vec2 corner_px{0.0};        ///< upper left
   Vec2 to_px(const Vec2& p) const {
     return corner_px + px_per_m * Vec2(p.x - lo_m.x, hi_m.y - p.y);
@@ -53,11 +54,11 @@ struct Drawing {
 
 /// SVG 1.1 with the map's coordinates in metres and a <title> for each shape with a tip.
 std::string to_svg(const Drawing& drawing);
-/// The same as an element of an HTML page, which needs no name space.
+/// SVG as an element of an HTML page, which needs no name space.
 std::string to_inline_svg(const Drawing& drawing);
-/// The same as pixels, with smooth edges, on white.
+/// The drawing as pixels, anti-aliased, on white.
 Bitmap to_bitmap(const Drawing& drawing);
-/// Width of words in pixels: the larger of what they take in SVG and as pixels.
+/// Width of words in pixels: the larger of their widths in SVG and in a bitmap.
 double width_px(const Words& words);
 
 /// "#rrggbb".

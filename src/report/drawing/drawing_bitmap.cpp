@@ -38,7 +38,7 @@ class Painter {
  public:
   explicit Painter(Bitmap& bitmap) : bitmap_(bitmap) {}
 
-  /// Paths in pixels that all turn the same way.
+  /// Paths in pixels, all with the same orientation.
   void area(const std::vector<Path>& paths, Rgb8 colour, const Window& within) {
     std::vector<OutlineCorner> outline;
     Window w = within;
@@ -71,7 +71,7 @@ class Painter {
                           b + end * along + across, a - end * along + across});
       }
     }
-    // All strips turn the same way, so that what two of them cover is covered fully.
+    // All strips have the same orientation, so that their overlaps do not cancel.
     area(strips, colour, within);
   }
 

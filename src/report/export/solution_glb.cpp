@@ -212,11 +212,11 @@ std::string solution_glb(const SolvedScene& solved, const ToneConfig& config) {
   std::vector<std::string> names;
   const Mesh mesh = build_mesh(solved, tone, centre, names);
   GlbWriter glb;
-  glb.json["asset"] = {{"version", "2.0"},
-                       {"generator", "enfilade"},
-                       {"extras",
-                        {{"irradianceUnit", irradiance_label(solved.scene.unit)},
-                         {"exposure", tone.enclosed_share()}}}};
+  glb.json["asset"] = {
+      {"version", "2.0"},
+      {"generator", "enfilade"},
+      {"extras",
+       {{"irradianceUnit", irradiance_label(solved.scene.unit)}, {"exposure", tone.exposure()}}}};
   glb.json["extensionsUsed"] = {"KHR_materials_unlit"};
   glb.json["scene"] = 0;
   glb.json["scenes"] = {{{"nodes", {0}}}};

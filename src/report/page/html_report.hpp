@@ -13,20 +13,20 @@
 
 namespace enfilade {
 
-/// A picture, encoded.
+/// A PNG picture with its caption.
 struct Figure {
   std::string caption;
   std::string png;
 };
 
-/// All that the page shows about one run.
+/// The data that the page shows about one run.
 struct RunPage {
   std::string name;
   RunRecord stats;
   std::vector<RunRecord> history;  ///< one an iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
-  std::string timeline;  ///< SVG of what the ranks did, where that was kept
+  std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
   std::vector<std::string> warnings, attribution;
 };
 

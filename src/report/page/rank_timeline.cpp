@@ -13,7 +13,7 @@ struct Look {
   const char* tip;
   Rgb8 colour;
 };
-/// In the order of Phase; colours of P. Tol's bright scheme, told apart by most eyes.
+/// In the order of Phase; P. Tol's bright scheme, which colour-blind readers can distinguish.
 constexpr std::array<Look, phase_count> looks = {{
     {"compute", "gathering light", {68, 119, 170}},
     {"I/O", "reading and writing clusters", {238, 102, 119}},
@@ -70,7 +70,7 @@ Path rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-/// "2 h", "40 min", "0.5 s": what the run's length asks for.
+/// "2 h", "40 min", "0.5 s": in the unit that fits the run's length.
 std::string time_label(double time_s, double length_s) {
   if (length_s >= 4 * 3600.0) return fmt::format("{:g} h", time_s / 3600.0);
   if (length_s >= 4 * 60.0) return fmt::format("{:g} min", time_s / 60.0);

@@ -1,4 +1,4 @@
-// What the ranks did over time, as a picture and as a Paje trace.
+// The ranks' phases (compute, I/O, idle) over time, as a drawing and as a Paje trace.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace enfilade {
 
-/// A row a rank (neighbours share a row where there are many), time to the right; in every column
-/// the shares of the phases, one above the other. Empty sheet where nothing was done.
+/// One row per rank (neighbours share a row where there are many ranks), time to the right; each
+/// column stacks the phases' shares of its time. An empty sheet where no rank did anything.
 Drawing rank_timeline(const std::vector<RankProfile>& ranks);
 
-/// The same for the viewers of Paje traces (ViTE, PajeNG): a container a rank, its state the phase
-/// that took most of each bin.
+/// A Paje trace for ViTE or PajeNG: one container per rank, whose state is the phase that took most
+/// of each bin of time.
 std::string paje_trace(const std::vector<RankProfile>& ranks);
 
 }  // namespace enfilade

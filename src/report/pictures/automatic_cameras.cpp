@@ -24,11 +24,11 @@ double mean(std::span<const double> values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-/// A place to stand, and what is seen from there along the horizon.
+/// A place for a camera, and the light and distances along the horizon from there.
 struct Place {
   Vec3 eye;
   double distance_m[directions] = {};
-  double light[directions] = {};  ///< 0 where nothing or a back is seen
+  double light[directions] = {};  ///< 0 where the ray meets nothing or a back
   bool open[directions] = {};     ///< nothing stands there: a window, or the outside
   double room_m2 = 0.0, mean_light = 0.0, enclosed = 0.0;
 };
@@ -204,7 +204,7 @@ void add_inside_views(const SolvedScene& solved, const AutoCameraConfig& config,
   std::vector<Vec3> taken;
   for (const Place& place : places) {
     if (static_cast<int>(taken.size()) >= config.inside) return;
-    // A room seen from a place already taken is in that picture.
+    // A room that is visible from an earlier camera is in that picture.
     const bool seen = std::any_of(taken.begin(), taken.end(), [&](const Vec3& eye) {
       return !solved.occluders.rays().occluded(eye, place.eye);
     });

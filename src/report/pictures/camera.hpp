@@ -1,5 +1,4 @@
-// Where a picture is taken from: named cameras of a file, or ones that find their place by
-// themselves.
+// Cameras: those of a file, or automatic ones, whose places are found from the scene.
 #pragma once
 
 #include <optional>
@@ -15,7 +14,7 @@ struct Camera {
   Vec3 eye{0.0}, look_at{0.0, 1.0, 0.0}, up{0.0, 0.0, 1.0};
   double vertical_angle_deg = 60.0;
   double parallel_height_m = 0.0;  ///< > 0: parallel projection, this high
-  /// Cut-away: nothing above this height is seen, and nothing from outside or from behind.
+  /// Cut-away: surfaces above this height, facades and backs are left out.
   std::optional<double> cut_above_m;
 };
 

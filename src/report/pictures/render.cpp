@@ -58,7 +58,7 @@ class Painter {
     if (config.gather_rays <= 0) return;
     PointGatherConfig gather;
     gather.rays = config.gather_rays;
-    gather.noise = 0.0;  // a picture is to take as many rays as asked
+    gather.noise = 0.0;  // a picture takes exactly gather_rays rays
     gather.seed = config.seed;
     gather_ =
         std::make_unique<PointGather>(solved.states, solved.scene.lights, solved.occluders, gather);
@@ -96,7 +96,7 @@ class Painter {
     Vec3 p{0.0};
   };
 
-  /// First polygon that is seen: where two lie in one place back to back, the one that faces the
+  /// The first visible polygon; of two that lie back to back in one place, the one that faces the
   /// eye.
   Met first_seen(const Ray& ray, std::uint32_t skip) const {
     const RayScene& rays = solved_.occluders.rays();
@@ -219,7 +219,7 @@ class Painter {
   enum class Outer : std::uint8_t { unknown, yes, no };
   std::size_t polygons_ = 0;
   std::unique_ptr<std::atomic<Outer>[]>
-      outer_;  ///< asked for as rays meet them, the same whoever asks first
+      outer_;  ///< filled as rays meet polygons; no value depends on which thread fills it
   std::unique_ptr<PointGather> gather_;
 };
 

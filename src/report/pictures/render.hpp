@@ -23,7 +23,7 @@ struct RenderConfig {
   std::uint64_t seed = 1;
 };
 
-/// Radiosity and irradiance seen in each pixel, as red, green and blue (see display_rgb), rows from
+/// Radiosity and irradiance of each pixel, as red, green and blue (see display_rgb), rows from
 /// the top.
 struct LightImage {
   struct Pixel {

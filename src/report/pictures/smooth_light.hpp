@@ -1,4 +1,4 @@
-// Irradiance without the patches' edges, for the eye: figures are read off the patches themselves.
+// Irradiance smoothed over the patches' edges, for pictures; tables use the patches themselves.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What pictures, tables and models are made from.
+// The parts of a solved run that pictures, tables and models are made from.
 #pragma once
 
 #include <span>

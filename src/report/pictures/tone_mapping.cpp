@@ -18,8 +18,8 @@ double quantile(const std::vector<std::pair<double, double>>& sorted, double sha
   return 0.0;
 }
 
-/// exp of the mean log, equation 1, over what is at least a thousandth of the median: the dark
-/// insides of cupboards and walls shall not make the rooms too bright.
+/// Equation 1, exp of the mean log, over luminances of at least a thousandth of the median: dark
+/// insides of cupboards and walls must not raise the exposure of the rooms.
 double log_average(const std::vector<std::pair<double, double>>& sorted) {
   const double floor = 1e-3 * quantile(sorted, 0.5);
   double sum = 0.0, total = 0.0;
@@ -39,17 +39,17 @@ ToneMap::ToneMap(std::vector<std::pair<double, double>> luminances, const ToneCo
   std::sort(luminances.begin(), luminances.end());
   const double middle = log_average(luminances);
   if (config.exposure > 0.0) {
-    enclosed_share_ = config.exposure;
+    exposure_ = config.exposure;
   } else if (middle > 0.0) {
-    enclosed_share_ = config.key / middle;
+    exposure_ = config.key / middle;
   }
   // The smallest light that is shown as white: lamps beyond the brightest 0.2 % may burn out.
-  white_ = std::max(1.0, enclosed_share_ * quantile(luminances, 0.998));
+  white_ = std::max(1.0, exposure_ * quantile(luminances, 0.998));
 }
 
 std::array<double, 3> ToneMap::operator()(const std::array<double, 3>& rgb) const {
-  const double light = enclosed_share_ * luminance(rgb);
-  double scale = enclosed_share_;
+  const double light = exposure_ * luminance(rgb);
+  double scale = exposure_;
   if (curve_ == ToneConfig::Curve::reinhard) {
     scale *= (1.0 + light / (white_ * white_)) / (1.0 + light);
   }

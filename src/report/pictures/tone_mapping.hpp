@@ -1,4 +1,4 @@
-// From light to what a screen shows: Reinhard's photographic operator, or a plain scale.
+// From light to display values: Reinhard's photographic operator, or a linear scale.
 #pragma once
 
 #include <array>
@@ -12,23 +12,22 @@ namespace enfilade {
 
 struct ToneConfig {
   enum class Curve { reinhard, linear } curve = Curve::reinhard;
-  double key = 0.18;  ///< what the middle luminance is shown as, of 1
-  double exposure =
-      0.0;  ///< > 0: this many times the light; 0 = by itself, from the light in the picture
+  double key = 0.18;      ///< display value of the log-average luminance (Reinhard 2002)
+  double exposure = 0.0;  ///< > 0: factor on the light; 0 = found from the light in the picture
 };
 
 /// Maps linear light to [0, 1] display light (Reinhard, Stark, Shirley, Ferwerda 2002, equations 1
 /// to 4).
 class ToneMap {
  public:
-  /// `luminances` (with weights) are what exposure and white are found from.
+  /// Exposure and white are found from `luminances`, pairs of a luminance and its weight.
   ToneMap(std::vector<std::pair<double, double>> weighted_luminances, const ToneConfig& config);
   std::array<double, 3> operator()(const std::array<double, 3>& rgb) const;
-  double enclosed_share() const { return enclosed_share_; }
+  double exposure() const { return exposure_; }
 
  private:
   ToneConfig::Curve curve_;
-  double enclosed_share_ = 1.0, white_ = 1.0;
+  double exposure_ = 1.0, white_ = 1.0;
 };
 
 /// Rec. 709 luminance.

@@ -1,4 +1,4 @@
-// What plans are drawn from: a prepared run, with or without light.
+// The parts of a prepared run that plans are drawn from.
 #pragma once
 
 #include <span>

@@ -38,7 +38,7 @@ void draw_cells(Drawing& drawing, const std::vector<CellSection>& sections,
 
 void draw_clusters(Drawing& drawing, const Building& building,
                    const std::vector<ClusterMark>& marks, const PlanSubject& subject) {
-  // Seen ones, with their stronger lines, over those that are not.
+  // Visible clusters, with their stronger lines, over hidden ones.
   std::vector<const ClusterMark*> order;
   for (const ClusterMark& mark : marks) order.push_back(&mark);
   const auto ink = [&](const ClusterMark* mark) -> const ClusterInk& {

@@ -10,6 +10,12 @@ namespace enfilade {
 
 namespace {
 
+/// The colour 0xrrggbb.
+Rgb8 rgb_of(std::uint32_t hex) {
+  const auto byte = [hex](int shift) { return static_cast<std::uint8_t>((hex >> shift) & 0xff); };
+  return {byte(16), byte(8), byte(0)};
+}
+
 /// Hue in degrees, saturation and lightness in [0, 1].
 Rgb8 from_hsl(double hue, double saturation, double lightness) {
   const double a = saturation * std::min(lightness, 1.0 - lightness);
@@ -22,18 +28,9 @@ Rgb8 from_hsl(double hue, double saturation, double lightness) {
 }
 
 /// Light colours, neighbours in the list far apart; none grey, none like the portals' inks.
-constexpr std::array<Rgb8, 12> pastel{{{141, 211, 199},
-                                       {255, 243, 163},
-                                       {190, 186, 218},
-                                       {251, 169, 153},
-                                       {158, 202, 225},
-                                       {253, 200, 128},
-                                       {179, 222, 105},
-                                       {252, 205, 229},
-                                       {204, 162, 206},
-                                       {204, 235, 197},
-                                       {229, 196, 148},
-                                       {168, 221, 232}}};
+constexpr std::array<std::uint32_t, 12> pastel{0x8dd3c7, 0xfff3a3, 0xbebada, 0xfba999,
+                                               0x9ecae1, 0xfdc880, 0xb3de69, 0xfccde5,
+                                               0xcca2ce, 0xccebc5, 0xe5c494, 0xa8dde8};
 
 /// The first colour from the cell's own on that no neighbour has yet.
 std::size_t free_colour(std::size_t own, const std::vector<int>& given,
@@ -53,17 +50,9 @@ std::size_t free_colour(std::size_t own, const std::vector<int>& given,
 
 Rgb8 rank_rgb(int rank) {
   // Ten colours that stay apart for most eyes, then hues by the golden angle.
-  constexpr std::array<Rgb8, 10> first{{{78, 121, 167},
-                                        {242, 142, 43},
-                                        {89, 161, 79},
-                                        {225, 87, 89},
-                                        {118, 183, 178},
-                                        {237, 201, 72},
-                                        {176, 122, 161},
-                                        {156, 117, 95},
-                                        {255, 157, 167},
-                                        {138, 133, 128}}};
-  if (rank >= 0 && rank < 10) return first[static_cast<std::size_t>(rank)];
+  constexpr std::array<std::uint32_t, 10> first{0x4e79a7, 0xf28e2b, 0x59a14f, 0xe15759, 0x76b7b2,
+                                                0xedc948, 0xb07aa1, 0x9c755f, 0xff9da7, 0x8a8580};
+  if (rank >= 0 && rank < 10) return rgb_of(first[static_cast<std::size_t>(rank)]);
   return from_hsl(std::fmod(std::abs(rank) * 137.508, 360.0), 0.45 + 0.01 * (rank * 7 % 25),
                   0.48 + 0.01 * (rank * 5 % 20));
 }
@@ -84,7 +73,7 @@ std::vector<Rgb8> cell_colours(const CellComplex& complex) {
     if (cells[c].kind == CellKind::room) {
       const std::size_t colour = free_colour(rooms++, given, neighbours[c]);
       given[c] = static_cast<int>(colour);
-      colours.push_back(pastel[colour]);
+      colours.push_back(rgb_of(pastel[colour]));
     } else {
       colours.push_back(cells[c].kind == CellKind::outside ? plan_ink::outside : plan_ink::solid);
     }

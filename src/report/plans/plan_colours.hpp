@@ -1,4 +1,4 @@
-// Colours that tell ranks and cells apart.
+// Colours that distinguish ranks and cells.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace enfilade {
 
-/// Of a rank: strong, well apart for neighbouring numbers.
+/// A strong colour for a rank; neighbouring ranks get clearly different ones.
 Rgb8 rank_rgb(int rank);
-/// The same as CSS.
+/// rank_rgb() as CSS, "#rrggbb".
 std::string rank_colour(int rank);
 
-/// Of each cell: light, so that black words stand out; rooms that share a portal differ, and
-/// outside and the insides of solids have colours of their own.
+/// A light colour for each cell, on which black words can be read. Rooms that share a portal have
+/// different colours; outside and solids have fixed ones.
 std::vector<Rgb8> cell_colours(const CellComplex& complex);
 
-/// Some of `colour`, the rest white.
+/// `share` of `colour`, the rest white.
 Rgb8 tint(Rgb8 colour, double share);
 
 namespace plan_ink {

@@ -1,4 +1,4 @@
-// The ways on which a building leaks, on its plans.
+// Leaks of a building, drawn on its plans.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Footprints: outlines of many polygons seen from above, and where a word fits into them.
+// Footprints: outlines of polygons seen from above, and the largest circle in them, for labels.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace enfilade {
 
-/// Rings of the union of the polygons seen from above (holes too); polygons that stand have none.
+/// Rings (outlines and holes) of the union of the polygons seen from above. Upright polygons add
+/// nothing.
 std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons);
 
 /// A circle within the polygons.
@@ -16,7 +17,8 @@ struct InnerCircle {
   Vec2 centre{0.0};
   double radius_m = 0.0;
 };
-/// The largest one in the union of the polygons, to 1% of its size; radius 0 where there is none.
+/// The largest circle in the union of the polygons, to 1% of its size; radius 0 where there is
+/// none.
 InnerCircle largest_circle(std::span<const Polygon> polygons);
 
 }  // namespace enfilade

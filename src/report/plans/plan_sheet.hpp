@@ -9,7 +9,7 @@
 
 namespace enfilade {
 
-/// What a plan shows beside what its subject colours.
+/// The marks that a plan shows besides its subject's colours, for the legend.
 struct PlanContents {
   bool doorways = false, to_outside = false, into_solids = false, beyond = false, level = false;
   bool furniture = false;

@@ -1,4 +1,5 @@
-// What the colours of a plan say: its cells, what one of them sees, or who works on what.
+// The subjects of a plan, which its colours show: the cells, the clusters visible from one cell, or
+// the assignment of clusters to ranks.
 #pragma once
 
 #include <optional>
@@ -13,12 +14,13 @@
 
 namespace enfilade {
 
-/// What can be seen from one cell.
+/// The cells and clusters that are visible from one cell.
 struct VisibleSet {
   CellId from;
-  std::vector<char> cells;     ///< by cell: of those clusters, or `from`, or, where one of the two
-                               ///< has no cluster, a neighbour in G_cell
-  std::vector<char> clusters;  ///< by cluster: of `from`, or a neighbour in G_cluster of one there
+  std::vector<char> cells;  ///< by cell: holds such a cluster, or is `from`, or, where one of the
+                            ///< two has no cluster, is a neighbour of `from` in G_cell
+  std::vector<char> clusters;  ///< by cluster: lies in `from`, or is a neighbour in G_cluster of
+                               ///< one that does
 };
 VisibleSet visible_set(const CellComplex& complex, std::span<const Cluster> clusters,
                        const ClusterGraph& graph, CellId from);
@@ -39,7 +41,7 @@ struct PlanKey {
 
 struct PlanSubject {
   std::string name;                    ///< "cells", "visible" or "assignment"
-  std::string subtitle;                ///< one line on what is shown
+  std::string subtitle;                ///< one line that describes the subject
   std::vector<Rgb8> cells;             ///< by cell
   std::vector<std::string> cell_tips;  ///< by cell
   std::vector<ClusterInk> clusters;    ///< by cluster

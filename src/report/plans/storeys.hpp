@@ -12,10 +12,10 @@ struct Storey {
   double headroom_m = 0.0;  ///< from there to the ceiling, median over the floor's area
 };
 
-/// Lowest first, at least one: heights where much upward area with headroom lies.
+/// At least one storey, lowest first: the heights where much upward area with headroom lies.
 std::vector<Storey> storeys(const Building& building);
 
-/// Box of what faces rooms; of all there is where no cell is a room.
+/// Box around the surfaces that face rooms; around all surfaces where no cell is a room.
 Box room_bounds(const Building& building);
 
 }  // namespace enfilade

@@ -60,8 +60,8 @@ void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
 }  // namespace
 
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks) {
-  return assign(prepared.graph, FormFactorEstimate(prepared.clusters),
-                {.method = config.assignment, .parts = ranks, .seed = config.seed});
+  return assign_clusters(prepared.graph, prepared.clusters,
+                         {.method = config.assignment, .parts = ranks, .seed = config.seed});
 }
 
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,

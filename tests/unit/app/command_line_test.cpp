@@ -3,26 +3,35 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/solve/command_solve.hpp"
+
 namespace enfilade {
 namespace {
 
 CommandLine parse(std::vector<const char*> words) {
   words.insert(words.begin(), "enfilade");
-  return parse_command_line(static_cast<int>(words.size()), words.data());
+  RankCommand solve;
+  return parse_command_line(static_cast<int>(words.size()), words.data(),
+                            [&](CLI::App& cli) { add_solve(cli, solve); });
 }
 
-TEST(CommandLine, SolveRunsOnEveryRankAndTheOthersOnOne) {
-  EXPECT_TRUE(parse({"solve", "scene.json", "-o", "run"}).command.on_every_rank);
+TEST(CommandLine, SolveIsForAllRanksAndTheOthersForOneProcess) {
+  RankCommand solve;
+  const char* words[] = {"enfilade", "solve", "scene.json", "-o", "run"};
+  const CommandLine line =
+      parse_command_line(5, words, [&](CLI::App& cli) { add_solve(cli, solve); });
+  EXPECT_TRUE(solve);
+  EXPECT_FALSE(line.command);
+  EXPECT_FALSE(line.fault);
   const CommandLine info = parse({"info", "scene.json"});
-  EXPECT_FALSE(info.command.on_every_rank);
-  EXPECT_TRUE(info.command.run);
+  EXPECT_TRUE(info.command);
   EXPECT_FALSE(info.fault);
 }
 
 TEST(CommandLine, HelpIsTextAndNoCommand) {
   const CommandLine help = parse({"render", "--help"});
   EXPECT_THAT(help.text, testing::HasSubstr("--look-at"));
-  EXPECT_FALSE(help.command.run);
+  EXPECT_FALSE(help.command);
   EXPECT_FALSE(help.fault);
 }
 
@@ -31,7 +40,7 @@ TEST(CommandLine, FaultsSayWhereAndWhatToDo) {
   ASSERT_TRUE(wrong.fault);
   EXPECT_THAT(wrong.fault->what(), testing::HasSubstr("--target-error"));
   EXPECT_THAT(wrong.fault->what(), testing::HasSubstr("; see 'enfilade solve --help'"));
-  EXPECT_FALSE(parse({"sollve", "x"}).command.run);
+  EXPECT_FALSE(parse({"sollve", "x"}).command);
   EXPECT_THAT(parse({"sollve", "x"}).fault->what(), testing::HasSubstr("did you mean 'solve'"));
 }
 

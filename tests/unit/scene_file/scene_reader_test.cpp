@@ -77,10 +77,18 @@ TEST_F(SceneReader, EachUnitOfLength) {
 }
 
 TEST_F(SceneReader, UnknownKeysGiveOneWarningThatListsThem) {
-  read("{\"up\": \"z\", \"rooms\": [], \"surfaces\": [{\"reflectance\": 0, \"colour\": 1, " +
+  read("{\"up\": \"y\", \"colours\": [], \"surfaces\": [{\"reflectance\": 0, \"colour\": 1, " +
        std::string(triangle) + "}]}");
   ASSERT_EQ(warnings_.all().size(), 1u);
-  EXPECT_EQ(warnings_.all()[0].where, "rooms, surfaces[].colour, up");
+  EXPECT_EQ(warnings_.all()[0].where, "colours, surfaces[].colour, up");
+}
+
+TEST_F(SceneReader, KeysThatDescribeTheBuildingAndItsSourceAreKnown) {
+  read(R"({"up": "z", "rooms": [], "doors": "open", "portals": [], "luminaires": [],
+           "offset_m": [0, 0, 0], "tool": "t", "source": "s", "licence": "l", "attribution": "a",
+           "surfaces": [{"reflectance": 0, )" +
+       std::string(triangle) + "}]}");
+  EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(SceneReader, FaultsNameTheirKey) {

@@ -35,7 +35,7 @@ TEST(ToneMapping, RisesAndStaysInRange) {
 
 TEST(ToneMapping, DarkCupboardsDoNotBrightenTheRoom) {
   const ToneMap clean({{100.0, 1.0}}, {}), with_dark({{100.0, 1.0}, {1e-9, 0.4}, {0.0, 0.4}}, {});
-  EXPECT_DOUBLE_EQ(clean.enclosed_share(), with_dark.enclosed_share());
+  EXPECT_DOUBLE_EQ(clean.exposure(), with_dark.exposure());
 }
 
 TEST(ToneMapping, AGivenExposureIsKept) {

@@ -1,0 +1,114 @@
+// enfilade info: the figures of a scene, or of a run.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+#include <set>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/prepared_figures.hpp"
+#include "app/frame/shown_value.hpp"
+#include "import/import_model.hpp"
+#include "run/leak_file.hpp"
+#include "run/stats_json.hpp"
+#include "scene/equal_bands.hpp"
+
+namespace enfilade {
+
+namespace {
+
+constexpr SubcommandText help_text{
+    "info", "Print the figures of a scene or of a RUN directory",
+    "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex"};
+
+std::string shown(const Spectrum& spectrum, const char* unit) {
+  return fmt::format("{:.4g} {}", fmt::join(spectrum, ", "), unit);
+}
+
+struct InfoOptions {
+  std::string input;  ///< scene file or RUN directory
+};
+
+struct SceneFigures {
+  Box bounds;
+  double area_m2 = 0.0;
+  std::size_t emitting = 0;
+  Spectrum emitted, reflected_m2;
+  std::set<std::string> objects;
+};
+
+SceneFigures measure(const Scene& scene) {
+  SceneFigures figures;
+  const auto bands = static_cast<std::size_t>(scene.bands);
+  figures.emitted.assign(bands, 0.0);
+  figures.reflected_m2.assign(bands, 0.0);
+  for (const Surface& surface : scene.surfaces) {
+    const double area = area_m2(surface.vertices) * (surface.two_sided ? 2.0 : 1.0);
+    figures.area_m2 += area;
+    figures.bounds.add(bounds(surface.vertices));
+    if (!surface.object.empty()) figures.objects.insert(surface.object);
+    bool emits = false;
+    for (std::size_t band = 0; band < bands; ++band) {
+      figures.emitted[band] += area * surface.exitance[band];
+      figures.reflected_m2[band] += area * surface.reflectance[band];
+      emits = emits || surface.exitance[band] > 0.0;
+    }
+    if (emits) ++figures.emitting;
+  }
+  for (const PointLight& light : scene.lights) {
+    for (std::size_t band = 0; band < bands; ++band) {
+      figures.emitted[band] += 4.0 * glm::pi<double>() * light.intensity[band];
+    }
+  }
+  return figures;
+}
+
+void add_scene(TextTable& table, const Scene& scene) {
+  SceneFigures figures = measure(scene);
+  const Vec3 extent = figures.bounds.extent();
+  for (double& r : figures.reflected_m2) r /= std::max(figures.area_m2, 1e-300);
+  table.add("surfaces", with_thousands(scene.surfaces.size()));
+  table.add("objects", with_thousands(figures.objects.size()));
+  table.add("emitting surfaces", with_thousands(figures.emitting));
+  table.add("point lights", with_thousands(scene.lights.size()));
+  table.add("probes", with_thousands(scene.probes.size()));
+  table.add("bands", std::to_string(bands_of_file(scene)));
+  table.add("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x, extent.y, extent.z));
+  table.add("area", fmt::format("{:.6g} m2", figures.area_m2));
+  table.add("mean reflectance", shown(in_bands_of_file(scene, figures.reflected_m2), ""));
+  table.add("emitted", shown(in_bands_of_file(scene, figures.emitted),
+                             scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+}
+
+void run_info(const InfoOptions& options, const Console& console) {
+  const std::string& input = options.input;
+  TextTable table(input);
+  if (std::error_code code; !std::filesystem::is_directory(input, code)) {
+    Warnings warnings;
+    add_scene(table, read_scene_or_model(input, warnings));
+    console.warnings(warnings);
+  } else {
+    const Prepared prepared = load_prepared(input);
+    add_scene(table, prepared.scene);
+    add_prepared_figures(table, prepared);
+    add_leaks(table, read_leaks(input));
+    add_prepare_cost(table, prepared);
+    if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
+      const RunRecord stats = read_stats(file);
+      for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
+    }
+  }
+  console.print(table.text());
+}
+
+void add_options(CLI::App& sub, InfoOptions& o) {
+  sub.add_option("input", o.input, "Scene file or RUN directory")->required();
+}
+
+}  // namespace
+
+void add_info(CLI::App& cli, Command& chosen) {
+  add_subcommand(cli, chosen, help_text, add_options, run_info);
+}
+
+}  // namespace enfilade

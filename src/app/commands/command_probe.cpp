@@ -1,0 +1,69 @@
+// enfilade probe: irradiance at asked points, by one gather from the solution or read off its
+// patches.
+#include "app/commands/commands.hpp"
+#include "app/frame/option_checks.hpp"
+#include "app/frame/output_file.hpp"
+#include "app/frame/text_table.hpp"
+#include "app/outputs/solved_run.hpp"
+#include "scene_file/scene_io.hpp"
+
+namespace enfilade {
+
+namespace {
+
+constexpr SubcommandText help_text{
+    "probe", "Say how much light arrives at points",
+    "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
+    "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
+    "irradiance\n"
+    "on a plane through p with normal n, per band, in the unit that the answer names."};
+
+struct ProbeOptions {
+  std::string run, points, output, from = "gather";
+  PointGatherConfig gather;
+};
+
+void run_probe(const ProbeOptions& options, const Console& console) {
+  check_output_file(options.output);
+  const std::vector<Probe> probes = read_probes(options.points);
+  const SolvedRun run(options.run, options.gather);
+  const std::vector<Spectrum> answers =
+      irradiance_at(run, probes, probe_method(options.from), console.progress());
+  write_probe_answers(options.points, options.output, answers, options.from,
+                      run.prepared().scene.unit);
+  TextTable table(options.output);
+  table.add("points", with_thousands(probes.size()));
+  table.add("unit", irradiance_label(run.prepared().scene.unit));
+  console.print(table.text());
+}
+
+void add_options(CLI::App& sub, ProbeOptions& o) {
+  sub.add_option("run", o.run, "RUN directory that solve has filled")->required();
+  sub.add_option("--points", o.points, "Probe file (JSON)")->required();
+  sub.add_option("-o,--output", o.output, "File to write: the same with \"E\" at each probe")
+      ->required();
+  sub.add_option(
+         "--from", o.from,
+         "gather: once more from all that the point sees; patches: read off the surface below it")
+      ->check(CLI::IsMember({"gather", "patches"}))
+      ->capture_default_str();
+  sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere that tell what a point sees")
+      ->check(CLI::Range(1, 100000000))
+      ->capture_default_str();
+  sub.add_option("--noise", o.gather.noise,
+                 "More rays, up to 16 times as many, where their noise is above this share of a "
+                 "point's light and 1e-4 of the mean irradiance (0: never; default: half of the "
+                 "estimated error of the patches, at most 0.005)")
+      ->check(share_of_one());
+  sub.add_option("--seed", o.gather.seed, "Seed of the rays")
+      ->check(whole_number())
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_probe(CLI::App& cli, Command& chosen) {
+  add_subcommand(cli, chosen, help_text, add_options, run_probe);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,19 @@
+// Checks of option values. Unlike CLI11's own ranges, they refuse infinity and what is no number.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace enfilade {
+
+/// A finite number above zero.
+CLI::Validator positive_number();
+/// A finite number, zero or above.
+CLI::Validator number_from_zero();
+/// A finite number with low < x < high.
+CLI::Validator number_between(double low, double high);
+/// 0 <= x <= 1.
+CLI::Validator share_of_one();
+/// A whole number of at most 19 digits, the first no idle 0: a seed.
+CLI::Validator whole_number();
+
+}  // namespace enfilade

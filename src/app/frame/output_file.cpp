@@ -1,0 +1,38 @@
+#include "app/frame/output_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace enfilade {
+
+void check_output_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    throw InputError(path, "-o", "is a directory", "name a file in it");
+  }
+  fs::path parent = fs::path(path).parent_path();
+  if (parent.empty()) parent = ".";
+  if (!fs::is_directory(parent, code)) {
+    throw InputError(path, "-o", "there is no directory " + parent.string(),
+                     "make it, or name another file");
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(path, "-o", "cannot be written: " + std::string(std::strerror(errno)),
+                     "give write permission to " + parent.string() + ", or name another file");
+  }
+}
+
+void check_scene_output(const std::string& path) {
+  check_output_file(path);
+  if (!path.ends_with(".json")) {
+    throw InputError(path, "-o", "is no name of a scene file", "let it end in .json");
+  }
+}
+
+}  // namespace enfilade

@@ -1,0 +1,146 @@
+// enfilade solve: the light, on all ranks; then the files for people, on rank 0.
+#include "app/solve/command_solve.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "app/frame/solve_name.hpp"
+#include "app/outputs/run_outputs.hpp"
+#include "app/solve/run_choices.hpp"
+#include "app/solve/run_description.hpp"
+#include "app/solve/solve_options.hpp"
+#include "app/solve/solve_summary.hpp"
+#include "base/error.hpp"
+#include "base/posix_file.hpp"
+#include "import/import_model.hpp"
+#include "report/page/rank_timeline.hpp"
+#include "run/history.hpp"
+#include "run/prepare.hpp"
+#include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
+#include "schemes/protocol/prepare_on_root.hpp"
+#include "schemes/protocol/rank_profiles.hpp"
+#include "schemes/replay/replay.hpp"
+#include "schemes/solve/solve.hpp"
+
+namespace enfilade {
+
+namespace {
+
+/// Checks the options on the root first, so that a fault is printed once and all ranks end in
+/// order.
+SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
+  session.communicator().on_root([&] {
+    options.config();
+    make_machine(options.cost_model);
+  });
+  return options.config();
+}
+
+/// All ranks call it; rank 0 writes.
+void write_trace(const std::string& run_directory, Communicator& communicator,
+                 const Machine& machine) {
+  const std::vector<RankProfile> ranks = gather_profiles(communicator, machine);
+  if (!communicator.root()) return;
+  const Drawing timeline = rank_timeline(ranks);
+  make_directory(run_directory + "/pictures");
+  write_file_atomically(run_directory + "/trace.paje", paje_trace(ranks));
+  write_file_atomically(run_directory + "/pictures/ranks.svg", to_svg(timeline));
+  write_file_atomically(run_directory + "/pictures/ranks.png",
+                        encode_png(to_bitmap(timeline), timeline.title));
+}
+
+void check_local_directory(const std::string& directory) {
+  std::error_code code;
+  std::filesystem::create_directories(directory, code);
+  if (!code && ::access(directory.c_str(), R_OK | W_OK | X_OK) == 0) return;
+  throw InputError(
+      "command line", "--local-dir",
+      directory + " cannot be made and written: " + (code ? code.message() : std::strerror(errno)),
+      "name a directory that can");
+}
+
+/// Empty for a RUN directory that is solved in place.
+SceneSource source_of(const std::string& scene_file) {
+  if (scene_file.empty()) return {};
+  return [scene_file](Warnings& warnings) { return read_scene_or_model(scene_file, warnings); };
+}
+
+void run_solve(const SolveOptions& options, RankSession& session) {
+  const Console& console = session.console();
+  Communicator& communicator = session.communicator();
+  const SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+
+  Warnings warnings;
+  PrepareConfig prepare_config;  // proofs of hidden pairs pay where a solve makes millions of links
+  prepare_config.visibility.prove_hidden = false;
+  Prepared prepared =
+      prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
+                      prepare_config, warnings, console.progress(), config.resume);
+  console.warnings(warnings);
+
+  communicator.on_root([&] {
+    // The root reads first what every rank is about to read, so that a fault is reported once.
+    if (config.resume) committed_iterations(config.run_directory);
+    if (!config.local_directory.empty()) check_local_directory(config.local_directory);
+    remove_run_outputs(config.run_directory);
+  });
+  if (options.trace) machine.trace();
+  SolveProgress progress(config.target_error, console.progress());
+  RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
+  describe_run(stats, config, prepared);
+  describe_choices(stats, options.basis_is_given());
+  if (options.trace) write_trace(config.run_directory, communicator, machine);
+
+  communicator.on_root([&] {
+    const Warnings shortfall = shortfall_of(config.run_directory, stats, config.max_iterations);
+    console.warnings(shortfall);
+    for (const Warning& w : shortfall.all()) warnings.add(w.where, w.what);
+    const auto owner = assign_clusters(prepared, config, communicator.size());
+    write_run_outputs(
+        {config.run_directory, options.probe_source(), options.pictures},
+        {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},
+        console.progress());
+    if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
+  });
+}
+
+/// Replays a recorded run on other computers. RUN gets stats.json and history.json, and no light.
+void run_replay(const SolveOptions& options, RankSession& session) {
+  Communicator& communicator = session.communicator();
+  const SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+  communicator.on_root([&] { check_run_directory(config.run_directory); });
+  if (options.trace) machine.trace();
+  std::vector<IterationSummary> history;
+  RunRecord stats = replay(options.replay, config, communicator, machine,
+                           [&history](const IterationSummary& s) { history.push_back(s); });
+  communicator.on_root([&] {
+    claim_run_directory(config.run_directory);
+    remove_run_outputs(config.run_directory);
+    describe_strategies(stats, config);
+    stats.set("replayed", options.replay);
+    write_stats(stats, config.run_directory + "/stats.json");
+    replace_file(config.run_directory + "/history.json", history_json(history));
+    if (!options.quiet) session.console().print(solve_summary(config.run_directory, stats));
+  });
+  if (options.trace) write_trace(config.run_directory, communicator, machine);
+}
+
+void run_solve_or_replay(const SolveOptions& options, RankSession& session) {
+  for (const std::string& note : options.notes) session.console().note(note);
+  options.replay.empty() ? run_solve(options, session) : run_replay(options, session);
+}
+
+}  // namespace
+
+void add_solve(CLI::App& cli, RankCommand& chosen) {
+  add_subcommand(cli, chosen, {solve_name, solve_description, solve_footer}, add_solve_options,
+                 run_solve_or_replay);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,107 @@
+#include "app/solve/solve_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/frame/shown_value.hpp"
+#include "app/frame/text_table.hpp"
+
+namespace enfilade {
+
+namespace {
+
+bool gave_up(const RunRecord& record) {
+  const auto* converged = record.find("converged");
+  return converged != nullptr && *converged == RunRecord::Value(false);
+}
+
+struct Row {
+  const char* key;
+  const char* label;
+};
+
+constexpr Row summary_rows[] = {
+    {"surfaces", "surfaces"},
+    {"clusters", "clusters"},
+    {"patches", "patches"},
+    {"links", "links"},
+    {"rays", "visibility rays"},
+    {"ranks", "ranks"},
+    {"steals", "clusters stolen"},
+    {"messages", "messages"},
+    {"iterations", "iterations"},
+    {"estimated_error", "estimated error"},
+    {"estimated_patch_error", "of what is read off patches"},
+    {"estimated_discretisation_error", "of that by patches and links"},
+    {"estimated_visibility_error", "by visibility"},
+    {"estimated_iteration_error", "by iterations not made"},
+    {"target_error", "asked error"},
+    {"flux_balance", "light not absorbed"},
+    {"escaping_share", "of that seen to leave"},
+    {"chosen_bands", "bands"},
+    {"chosen_basis", "basis"},
+    {"chosen_cells", "cells"},
+    {"chosen_memory", "memory"},
+    {"chosen_patches", "light read off patches"},
+    {"chosen_visibility", "visibility"},
+    {"peak_rss_bytes", "memory, largest rank"},
+    {"prepare_s", "time to prepare"},
+    {"solve_s", "time to solve"},
+    {"simulated_s", "simulated time"},
+};
+
+}  // namespace
+
+IterationObserver SolveProgress::observer() {
+  return [this](const IterationSummary& summary) {
+    report_progress(progress_,
+                    fmt::format("solve: iteration {}, estimated error {:.2g}%,",
+                                summary.plan.iteration, 100.0 * summary.error.total()),
+                    fraction(summary.error.total()));
+  };
+}
+
+double SolveProgress::fraction(double error) {
+  if (first_error_ == 0.0) first_error_ = error;
+  if (error <= target_error_) return 1.0;
+  if (!(first_error_ > target_error_)) return 0.0;
+  return std::clamp(std::log(first_error_ / error) / std::log(first_error_ / target_error_), 0.0,
+                    1.0);
+}
+
+Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
+                      int max_iterations) {
+  Warnings warnings;
+  if (!gave_up(record)) return warnings;
+  const auto percent = [&](const char* key) { return shown_number(key, record.number(key, 1.0)); };
+  const double iterations = record.number("iterations", 0.0);
+  warnings.add(run_directory,
+               fmt::format("not converged after {} iterations: estimated error {} ({} read off "
+                           "patches), asked {}; {}",
+                           iterations, percent("estimated_error"), percent("estimated_patch_error"),
+                           percent("target_error"),
+                           iterations < max_iterations
+                               ? "finer links bring little more, ask for a larger --target-error"
+                               : "go on with --resume and a larger --max-iterations"));
+  return warnings;
+}
+
+std::string solve_summary(const std::string& run_directory, const RunRecord& record) {
+  const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
+  const bool replayed = record.find("replayed") != nullptr;
+  const char* state = replayed          ? ": replayed"
+                      : gave_up(record) ? ": gave up before it converged"
+                      : reached         ? ": solved"
+                                        : ": converged above the asked error";
+  TextTable table(run_directory + state);
+  for (const Row& row : summary_rows) {
+    if (const auto* value = record.find(row.key))
+      table.add(row.label, shown_value(row.key, *value));
+  }
+  table.add("look at", run_directory + (replayed ? "/stats.json" : "/report.html"));
+  return table.text();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,38 @@
+// What `solve` prints: progress while it works, and a table at its end.
+#pragma once
+
+#include <string>
+
+#include "base/progress.hpp"
+#include "base/run_record.hpp"
+#include "base/warnings.hpp"
+#include "schemes/solve/solve.hpp"
+
+namespace enfilade {
+
+/// Turns committed iterations into progress: the share of the way from the first iteration's error
+/// to the target error, on a logarithmic scale.
+class SolveProgress {
+ public:
+  SolveProgress(double target_error, Progress progress)
+      : target_error_(target_error), progress_(std::move(progress)) {}
+
+  /// Refers to this object.
+  IterationObserver observer();
+
+ private:
+  double fraction(double error);
+
+  double target_error_;
+  Progress progress_;
+  double first_error_ = 0.0;  ///< 0 = no iteration yet
+};
+
+/// The table at the end of a solve; `record` is that of RUN/stats.json.
+std::string solve_summary(const std::string& run_directory, const RunRecord& record);
+
+/// A warning with the estimate and the remedy, where the solve gave up before it converged.
+Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
+                      int max_iterations);
+
+}  // namespace enfilade
