@@ -199,13 +199,21 @@ void Aggregates::add_share(PatchForest& forest, std::span<const double> shares) 
 }
 
 void Aggregates::write(ByteWriter& w) const {
-  w.put_all(aggregates_);
+  w.put(static_cast<std::uint64_t>(aggregates_.size()));
+  for (const auto& [node, area_m2] : aggregates_) {
+    w.put(node);
+    w.put(area_m2);
+  }
   w.put_all(of_polygon_);
 }
 
 Aggregates Aggregates::read(ByteReader& r) {
   Aggregates aggregates;
-  aggregates.aggregates_ = r.get_all<Aggregate>();
+  aggregates.aggregates_.resize(r.get_count(sizeof(PatchId) + sizeof(double)));
+  for (auto& [node, area_m2] : aggregates.aggregates_) {
+    node = r.get<PatchId>();
+    area_m2 = r.get<double>();
+  }
   aggregates.of_polygon_ = r.get_all<Range>();
   return aggregates;
 }

@@ -26,6 +26,7 @@ struct Link {
     return error * static_cast<float>(visibility_uncertainty) / 255.0f;
   }
   bool is_light() const { return !shooter_cluster.valid(); }
+  bool operator==(const Link&) const = default;
 };
 
 /// The links of one receiving cluster, each with `stride` transport coefficients: receiver term by
@@ -46,6 +47,7 @@ class LinkSet {
   void add(const Link& link, std::span<const float> transport);
   /// The first n links of another set, and no others.
   void take_first(const LinkSet& other, std::size_t n);
+  bool operator==(const LinkSet&) const = default;
 
  private:
   friend class ClusterStateCodec;

@@ -45,6 +45,9 @@ class Machine {
   virtual std::uint64_t record_bytes(const RecordCount& count) const = 0;
   /// Memory of the host that a rank may use; 0 = not known, no limit.
   virtual std::uint64_t memory_bytes() const = 0;
+  /// Gives memory that was freed back to the system. Real: malloc_trim. Simulated: nothing, memory
+  /// is counted and not measured.
+  virtual void return_freed_memory() {}
   /// Before others hear of this rank: what was charged so far has passed. Real: nothing.
   virtual void settle() {}
   /// Seconds since the start: wall clock, or simulated.

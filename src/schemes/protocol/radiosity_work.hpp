@@ -10,7 +10,7 @@
 #include "run/prepare.hpp"
 #include "schemes/protocol/cluster_work.hpp"
 #include "schemes/protocol/gather_cost.hpp"
-#include "store/cluster_files.hpp"
+#include "store/cluster_source.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
@@ -29,8 +29,9 @@ struct RadiosityWorkConfig {
 class RadiosityWork final : public ClusterWork {
  public:
   /// All but `config` must outlive it.
-  RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout,
+                ClusterSource<ClusterState>& files, Machine& machine, CostRecorder& recorder,
+                const RadiosityWorkConfig& config);
 
   /// Takes in a cluster as it is before the first iteration; its files must be there.
   void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
@@ -60,7 +61,7 @@ class RadiosityWork final : public ClusterWork {
 
   const Prepared& prepared_;
   const RunLayout& layout_;
-  ClusterFiles& files_;
+  ClusterSource<ClusterState>& files_;
   Machine& machine_;
   CostRecorder& recorder_;
   RadiosityWorkConfig config_;
