@@ -1,10 +1,14 @@
-// Plain values to bytes and back, in this machine's byte order: for the files that ranks of one run
-// share, and for messages between them.
+// Plain values to bytes and back, in little-endian order and without padding: for the files that
+// ranks of one run share, and for messages between them.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +19,22 @@
 
 namespace enfilade {
 
+// Values are copied as they lie in memory, and bytes are to be little-endian.
+static_assert(std::endian::native == std::endian::little);
+
+/// May a T be copied as it lies in memory: has it no padding, whose bytes would be anything?
+/// Structs with floating-point members cannot be asked that: they are written field by field, or
+/// declared by a specialisation that compares their size with that of their fields.
+template <class T>
+inline constexpr bool has_no_padding =
+    std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>;
+template <class T>
+inline constexpr bool has_no_padding<glm::vec<2, T>> = sizeof(glm::vec<2, T>) == 2 * sizeof(T);
+template <class T>
+inline constexpr bool has_no_padding<glm::vec<3, T>> = sizeof(glm::vec<3, T>) == 3 * sizeof(T);
+template <class T>
+concept PlainValue = std::is_trivially_copyable_v<T> && has_no_padding<T>;
+
 /// Appends values to a sequence of bytes, without gaps.
 class ByteWriter {
  public:
@@ -23,13 +43,13 @@ class ByteWriter {
 
   template <class T>
   void put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(PlainValue<T>);
     add(std::as_bytes(std::span(&value, 1)));
   }
   /// Writes the number of values, as a `Count`, then the values.
   template <class Count = std::uint64_t, class Values>
   void put_all(const Values& values) {
-    static_assert(std::is_trivially_copyable_v<typename Values::value_type>);
+    static_assert(PlainValue<typename Values::value_type>);
     ENFILADE_CHECK(static_cast<Count>(values.size()) == values.size(),
                    std::to_string(values.size()));
     put(static_cast<Count>(values.size()));
@@ -39,6 +59,7 @@ class ByteWriter {
   /// Writes letters that the reader knows beforehand and checks: ByteReader::expect.
   void put_mark(std::string_view mark) { add(std::as_bytes(std::span(mark))); }
 
+  std::span<const std::byte> bytes() const { return bytes_; }
   std::vector<std::byte> take() { return std::move(bytes_); }
   std::string text() const;
 
@@ -59,7 +80,7 @@ class ByteReader {
 
   template <class T>
   T get() {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(PlainValue<T>);
     T value;
     std::memcpy(static_cast<void*>(&value), advance(sizeof(T)), sizeof(T));
     return value;
@@ -74,7 +95,7 @@ class ByteReader {
   template <class Values, class Count = std::uint64_t>
   void get_all(Values& values) {
     using T = typename Values::value_type;
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(PlainValue<T>);
     values.resize(get_count<Count>(sizeof(T)));
     const std::size_t size = values.size() * sizeof(T);
     const std::byte* from = advance(size);

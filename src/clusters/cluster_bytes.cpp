@@ -23,7 +23,11 @@ std::string to_bytes(std::span<const Cluster> clusters) {
     for (const ClusterPolygon& polygon : cluster.polygons) {
       out.put(polygon.surface.value);
       out.put_all<std::uint32_t>(polygon.polygon);
-      out.put_all<std::uint32_t>(polygon.contacts);
+      out.put(static_cast<std::uint32_t>(polygon.contacts.size()));
+      for (const Segment& contact : polygon.contacts) {
+        out.put(contact.a);
+        out.put(contact.b);
+      }
     }
   }
   return out.text();
@@ -45,7 +49,11 @@ std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
     for (ClusterPolygon& polygon : cluster.polygons) {
       polygon.surface = SurfaceId(in.get<std::uint32_t>());
       polygon.polygon = in.get_all<Vec3, std::uint32_t>();
-      polygon.contacts = in.get_all<Segment, std::uint32_t>();
+      polygon.contacts.resize(in.get_count<std::uint32_t>(2 * sizeof(Vec3)));
+      for (Segment& contact : polygon.contacts) {
+        contact.a = in.get<Vec3>();
+        contact.b = in.get<Vec3>();
+      }
     }
   }
   in.expect_end();

@@ -202,6 +202,11 @@ void Gatherer::receive_patch(const Link& link, std::span<const float> transport)
 
 GatherResult Gatherer::finish() {
   ENFILADE_CHECK(next_ == receiver_.links().size(), "links of a cluster that is not visible");
+  // Before its first gather the receiver had none; and a link that was refined may have come back
+  // as it was.
+  const LinkSet& links = changed_ ? kept_ : receiver_.links();
+  result_.links_changed =
+      first_time_ ? links.size() > 0 : changed_ && !(links == receiver_.links());
   if (changed_) receiver_.links() = std::move(kept_);
   gathered_.resize(receiver_.patches().size() * bands_ * terms_, 0.0);
   if (config_.close_rows) close_rows();

@@ -33,6 +33,7 @@ struct GatherConfig {
 struct GatherResult {
   IterationFigures figures;
   CoarseRow coarse;
+  bool links_changed = false;  ///< the receiver's links are others than before the gather
 };
 
 /// Brings in a visible cluster; what it returns need stay valid only until the next call.

@@ -29,6 +29,7 @@ struct Link {
     return error * static_cast<float>(visibility_uncertainty) / 255.0f;
   }
   bool is_light() const { return !shooter_cluster.valid(); }
+  bool operator==(const Link&) const = default;
 };
 
 /// The links of one receiving cluster, each with `stride` transport coefficients: receiver term by
@@ -53,6 +54,7 @@ class LinkSet {
   std::size_t memory_bytes() const;
   /// Gives back the memory that growing vectors have reserved.
   void shrink();
+  bool operator==(const LinkSet&) const = default;
 
  private:
   friend class ClusterCodec;

@@ -60,6 +60,9 @@ class Machine {
   virtual std::uint64_t peak_memory_bytes(std::uint64_t counted_bytes) const {
     return counted_bytes;
   }
+  /// Gives memory that was freed back to the system. Real: malloc_trim. Simulated: nothing, memory
+  /// is counted and not measured.
+  virtual void return_freed_memory() {}
 
   /// Seconds since the start: wall clock, or simulated.
   virtual double now_s() const = 0;

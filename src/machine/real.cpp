@@ -1,4 +1,5 @@
 // The real machine: work and bytes take the time that they take.
+#include <malloc.h>
 #include <sched.h>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ class RealMachine final : public Machine {
   std::uint64_t record_bytes(const RecordCount& count) const override { return count.bytes; }
   std::uint64_t memory_bytes() const override { return 0; }
   std::uint64_t peak_memory_bytes(std::uint64_t) const override { return peak_rss_bytes(); }
+  void return_freed_memory() override { malloc_trim(0); }
 
   double now_s() const override {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

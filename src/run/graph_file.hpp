@@ -1,5 +1,5 @@
-// G_cluster in its own file (§4.1): for each cluster the name of its file, its number, and the list
-// of the clusters visible to it. Plain text, one cluster a line.
+// G_cluster in its own file (§4.1): plain text, one line for each cluster, with the stem of its
+// files, its number, and the numbers of the clusters visible to it.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The committed iterations of a run, as its manifest has them.
+// The committed iterations of a run, from its manifest.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace enfilade {
 
-/// Those from before a crash included; none where nothing is committed.
+/// Includes iterations from before a crash; none where nothing is committed.
 inline std::vector<IterationSummary> history_of(const std::optional<Manifest>& manifest) {
   std::vector<IterationSummary> history;
   if (!manifest) return history;

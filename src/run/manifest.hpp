@@ -1,5 +1,5 @@
-// Which iteration of a RUN is committed. Written last and at once, it is what makes an iteration
-// real.
+// The manifest: which iteration of a RUN is committed. It is replaced at once, after all files of
+// the iteration are in place.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,25 @@
 namespace enfilade {
 
 struct Manifest {
-  int iteration = 0;  ///< last committed one; 0 = the state before the first
+  int iteration = 0;  ///< the last committed one; 0 = the state before the first
   std::size_t clusters = 0;
   Basis basis = Basis::constant;
   std::uint64_t scene_hash = 0;
   bool finished = false;  ///< the run has ended
-  /// What the iterations did, in numbers that `parallel` understands; needed to go on.
+  /// Plan and figures of each iteration, as to_numbers() of solver/iteration_plan.hpp gives them.
   std::vector<std::vector<double>> history;
-  /// What the next iteration corrects this one's light by; may be empty.
+  /// The coarse correction of this iteration's light, [unknown * bands + band]; may be empty.
   std::vector<double> correction;
-  CoarseUnknowns unknowns;  ///< whose they are
+  CoarseUnknowns unknowns;  ///< which unknowns of the correction belong to which cluster
 
   /// The slot that this iteration's patches lie in.
   Slot slot() const { return iteration % 2 == 0 ? Slot::a : Slot::b; }
 };
 
-/// None where RUN holds no solution. Throws RunError for a damaged one.
+/// None where RUN holds no solution. Throws RunError for a manifest that is damaged or of another
+/// version.
 std::optional<Manifest> read_manifest(const RunLayout& layout);
+/// Commits the iteration. Once a run is finished, its files are flushed to the disk as well.
 void commit_manifest(const RunLayout& layout, const Manifest& manifest);
 /// From now on RUN holds no solution.
 void remove_manifest(const RunLayout& layout);

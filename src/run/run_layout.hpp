@@ -1,4 +1,5 @@
-// Where things lie in a RUN directory. A cluster is the number in the name of its files (§3.3).
+// Paths in a RUN directory (README.md lists its files). The names of a cluster's files hold its
+// number (§3.3).
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace enfilade {
 
 /// The three sections of a cluster (hierarchy/cluster_state.hpp) change at three rates, so each has
 /// its own file: geometry never, patches with every iteration, links only where they were refined.
-/// That keeps an iteration's writing down to the light. Patches and links have two slots, so that
-/// the files of one iteration never overwrite those of the one before.
+/// So an iteration writes little more than the light. Patches and links have two slots, so that the
+/// files of one iteration never overwrite those of the one before.
 enum class Slot : std::uint8_t { a = 0, b = 1 };
 inline Slot other(Slot slot) { return slot == Slot::a ? Slot::b : Slot::a; }
 

@@ -23,7 +23,7 @@ constexpr const char* name_another = "name another directory with -o";
 
 std::string mark_path(const std::string& run_directory) { return run_directory + "/run.json"; }
 
-/// What a mark that was never finished leaves behind is nobody's.
+/// An unfinished mark does not count.
 bool is_empty(const std::string& directory) {
   std::error_code code;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, code)) {

@@ -1,4 +1,5 @@
-// run.json, the mark of a RUN directory: that it is one of ours, and what it is prepared for.
+// run.json, the mark of a RUN directory: that enfilade made the directory, and for which scene and
+// options it is prepared.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +22,14 @@ struct RunMark {
   Warnings warnings;  ///< what the scene gave rise to
 };
 
-/// Nothing where the directory is none of ours.
+/// Nothing where the directory has no mark of enfilade.
 std::optional<RunMark> read_run_mark(const std::string& run_directory);
 void write_run_mark(const std::string& run_directory, const RunMark& mark);
 
 /// Throws InputError where a run must not be put into `run_directory`, or cannot be: it is a file,
-/// it holds files of somebody else, or it may not be written.
+/// it holds files and has no mark, or it may not be written.
 void check_run_directory(const std::string& run_directory);
-/// Makes it, where it is not there, and marks it as one that is being prepared. Throws InputError.
+/// Makes the directory, where there is none, and marks it as being prepared. Throws InputError.
 void claim_run_directory(const std::string& run_directory);
 
 }  // namespace enfilade

@@ -4,41 +4,82 @@
 #include <xxhash.h>
 
 #include <array>
-#include <cstring>
 
+#include "base/byte_stream.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 
 namespace enfilade {
 namespace {
 
-constexpr std::array<char, 8> magic = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 2;  // 2: links without padding (cluster_codec.hpp)
+constexpr std::array<char, 8> mark = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
+constexpr std::uint32_t version = 2;  // 2: without padding
 
-/// As it lies in the file, in the byte order of the machine.
+/// The header without its own checksum.
+constexpr std::size_t summed_bytes =
+    mark.size() + sizeof version + section_info_bytes + sizeof(std::uint64_t);
+constexpr std::size_t header_bytes = summed_bytes + sizeof(std::uint64_t);
+
 struct Header {
-  std::array<char, 8> magic_word;
-  std::uint32_t file_version;
-  std::uint32_t cluster;
-  std::uint32_t section;
-  std::uint32_t iteration;
-  std::uint32_t links_slot;
-  std::uint32_t spare;
-  std::uint64_t surfaces, patches, links, bytes;
-  std::uint64_t body_checksum;
-  std::uint64_t header_checksum;  ///< of all the above
+  SectionInfo info;
+  std::uint64_t body_checksum = 0;
 };
-static_assert(sizeof(Header) == 80);
 
-std::uint64_t header_checksum(const Header& h) {
-  return XXH64(&h, offsetof(Header, header_checksum), 0);
+std::vector<std::byte> bytes_of(const Header& h) {
+  ByteWriter w(header_bytes);
+  w.put(mark);
+  w.put(version);
+  put_info(w, h.info);
+  w.put(h.body_checksum);
+  w.put(checksum(w.bytes()));
+  return w.take();
 }
 
 [[noreturn]] void damaged(const std::string& path, const std::string& what) {
   throw RunError(path + ": " + what + "; solve again without --resume");
 }
 
+/// Of the file at `path`, whose first bytes are these.
+Header header_from(std::span<const std::byte> bytes, const std::string& path) {
+  if (bytes.size() < header_bytes) damaged(path, "the file is cut short");
+  ByteReader r(bytes.first(header_bytes), path);
+  if (r.get<std::array<char, mark.size()>>() != mark) damaged(path, "not a cluster's file");
+  const auto file_version = r.get<std::uint32_t>();
+  if (file_version != version)
+    damaged(path, "version " + std::to_string(file_version) + " is not known");
+  Header h;
+  h.info = get_info(r);
+  h.body_checksum = r.get<std::uint64_t>();
+  if (r.get<std::uint64_t>() != checksum(bytes.first(summed_bytes)))
+    damaged(path, "the header is damaged (checksum)");
+  return h;
+}
+
 }  // namespace
+
+void put_info(ByteWriter& w, const SectionInfo& info) {
+  w.put(info.cluster);
+  w.put(info.section);
+  w.put(info.links_slot);
+  w.put(info.iteration);
+  w.put(info.count.surfaces);
+  w.put(info.count.patches);
+  w.put(info.count.links);
+  w.put(info.count.bytes);
+}
+
+SectionInfo get_info(ByteReader& r) {
+  SectionInfo info;
+  info.cluster = r.get<ClusterId>();
+  info.section = r.get<Section>();
+  info.links_slot = r.get<Slot>();
+  info.iteration = r.get<std::uint32_t>();
+  info.count.surfaces = r.get<std::uint64_t>();
+  info.count.patches = r.get<std::uint64_t>();
+  info.count.links = r.get<std::uint64_t>();
+  info.count.bytes = r.get<std::uint64_t>();
+  return info;
+}
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   return XXH64(bytes.data(), bytes.size(), 0);
@@ -46,46 +87,20 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
 
 void write_section(const std::string& path, const SectionInfo& info,
                    std::span<const std::byte> bytes) {
-  Header h{};
-  h.magic_word = magic;
-  h.file_version = version;
-  h.cluster = info.cluster.value;
-  h.section = static_cast<std::uint32_t>(info.section);
-  h.iteration = info.iteration;
-  h.links_slot = static_cast<std::uint32_t>(info.links_slot);
-  h.surfaces = info.count.surfaces;
-  h.patches = info.count.patches;
-  h.links = info.count.links;
-  h.bytes = bytes.size();
-  h.body_checksum = checksum(bytes);
-  h.header_checksum = header_checksum(h);
-  write_file(path, std::as_bytes(std::span(&h, 1)), bytes);
+  Header h{info, checksum(bytes)};
+  h.info.count.bytes = bytes.size();
+  write_file(path, bytes_of(h), bytes);
 }
 
 SectionFile read_section(const std::string& path, ClusterId cluster, Section section) {
   std::vector<std::byte> all = read_file(path);
-  Header h{};
-  if (all.size() < sizeof h) damaged(path, "the file is cut short");
-  std::memcpy(&h, all.data(), sizeof h);
-  if (h.magic_word != magic) damaged(path, "not a cluster's file");
-  if (h.file_version != version)
-    damaged(path, "version " + std::to_string(h.file_version) + " is not known");
-  if (h.header_checksum != header_checksum(h)) damaged(path, "the header is damaged (checksum)");
-  if (h.cluster != cluster.value || h.section != static_cast<std::uint32_t>(section)) {
+  const Header h = header_from(all, path);
+  if (h.info.cluster != cluster || h.info.section != section)
     damaged(path, "belongs to another cluster or section");
-  }
-  if (h.bytes != all.size() - sizeof h) damaged(path, "the file is cut short");
-  all.erase(all.begin(), all.begin() + sizeof h);
+  if (h.info.count.bytes != all.size() - header_bytes) damaged(path, "the file is cut short");
+  all.erase(all.begin(), all.begin() + header_bytes);
   if (h.body_checksum != checksum(all)) damaged(path, "the content is damaged (checksum)");
-
-  SectionFile file;
-  file.info.cluster = cluster;
-  file.info.section = section;
-  file.info.iteration = h.iteration;
-  file.info.links_slot = h.links_slot == 0 ? Slot::a : Slot::b;
-  file.info.count = {h.surfaces, h.patches, h.links, h.bytes};
-  file.bytes = std::move(all);
-  return file;
+  return {h.info, std::move(all)};
 }
 
 }  // namespace enfilade

@@ -16,8 +16,8 @@ void write_stats(const RunRecord& record, const std::string& path);
 /// Throws InputError where the file is missing or is not a flat JSON object.
 RunRecord read_stats(const std::string& path);
 
-/// A list of flat objects, one an iteration; empty where the file is missing. Throws InputError for
-/// another kind of content.
+/// A list of flat objects, one for each iteration; empty where the file is missing. Throws
+/// InputError for other content.
 std::vector<RunRecord> read_history(const std::string& path);
 /// RUN/assignment.json: a list with the rank of each cluster, in order of their ids; empty where it
 /// is missing.

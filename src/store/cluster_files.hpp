@@ -1,10 +1,12 @@
-// A rank's way to the clusters' sections, wherever they lie: on a disk (ClusterStore), or with a
-// master (schemes/master/remote_files.hpp).
+// Clusters as bytes of their sections, wherever these lie: on a disk (ClusterStore) or with a
+// master (schemes/master/remote_files.hpp). Encodes and decodes.
 #pragma once
 
-#include <span>
+#include <compare>
+#include <vector>
 
 #include "run/section_file.hpp"
+#include "store/cluster_source.hpp"
 
 namespace enfilade {
 
@@ -16,33 +18,25 @@ struct SectionName {
   constexpr auto operator<=>(const SectionName&) const = default;
 };
 
-/// While iteration k is under way, others' clusters are read as iteration k-1 committed them, and
-/// those that count as written, as they are now.
-class ClusterFiles {
+class ClusterFiles : public ClusterSource<ClusterState> {
  public:
-  virtual ~ClusterFiles() = default;
-  /// From now on `iteration` is the committed one.
-  virtual void set_committed(int iteration) = 0;
-  virtual int committed() const = 0;
-  /// What is about to be read, so that it can come all at once.
-  virtual void announce(std::span<const SectionName>) {}
+  void announce(std::span<const ShooterRequest> shooters) final;
+  std::unique_ptr<ClusterState> read_shooter(ClusterId id, Light light,
+                                             const ClusterState* known) final;
+  void read_links(ClusterState& cluster) final;
+  SectionBytes write(const ClusterState& cluster, bool links_changed) final;
 
-  virtual SectionFile read_geometry(ClusterId id) = 0;
-  /// The newest patches that this rank may see.
-  virtual SectionFile read_patches(ClusterId id) = 0;
-  /// As the last iteration committed them, whatever was written since.
-  virtual SectionFile read_committed_patches(ClusterId id) = 0;
-  /// The links that go with them; read_patches() or write() of this cluster must have come before.
-  virtual SectionFile read_links(ClusterId id) = 0;
+  /// Links are those that go with the newest patches: load_section() of these patches, or
+  /// store_sections() of this cluster, must have come before.
+  virtual SectionFile load_section(const SectionName& name) = 0;
+  /// Of one cluster: its patches and, where they changed, its links. The iteration that writes them
+  /// and the links' slot are set here.
+  virtual void store_sections(std::vector<SectionFile> sections) = 0;
+  /// What load_section() will be called for, in this order.
+  virtual void prefetch(std::vector<SectionName>) {}
 
-  /// What a gather made of the cluster; `links` empty = as they were.
-  virtual void write(ClusterId id, std::span<const std::byte> patches,
-                     const RecordCount& patches_count, std::span<const std::byte> links,
-                     const RecordCount& links_count) = 0;
-  /// Has the cluster been gathered for in this iteration, as far as this rank may see?
-  virtual bool written(ClusterId id) const = 0;
-  /// MoveToCommonDirectory of figure 2: all that was written in this iteration.
-  virtual void move_to_common() = 0;
+ private:
+  SectionName patches_of(ClusterId id, Light light) const;
 };
 
 }  // namespace enfilade

@@ -1,42 +1,26 @@
 #include "store/cluster_store.hpp"
 
-#include <utility>
+#include <filesystem>
+
+#include "base/posix_file.hpp"
 
 namespace enfilade {
 
 ClusterStore::ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters,
-                           Machine& machine, std::unique_ptr<SectionShelf> shelf)
+                           Machine& machine)
     : layout_(layout),
       local_directory_(layout.local_of(rank)),
       machine_(machine),
-      shelf_(std::move(shelf)),
-      links_slot_(clusters, Slot::a),
-      written_(clusters, 0) {
-  shelf_->open(local_directory_);
+      charges_(machine, clusters),
+      links_slot_(clusters, Slot::a) {
+  remove_directory(local_directory_);  // what a run that died has left there was never committed
+  make_directory(local_directory_);
 }
 
-ClusterStore::~ClusterStore() { shelf_->close(local_directory_, layout_.local); }
-
-SectionFile ClusterStore::read(Disk disk, const std::string& path, ClusterId id, Section section,
-                               int iteration) {
-  const PhaseScope phase(machine_, Phase::io);
-  SectionFile file = shelf_->read(path, id, section, iteration);
-  const std::uint64_t bytes = machine_.record_bytes(file.info.count);
-  machine_.read(disk, id.value, bytes);
-  count_.bytes_read += bytes;
-  ++count_.files_read;
-  return file;
-}
-
-std::uint64_t ClusterStore::put(Disk disk, const std::string& path, const SectionInfo& info,
-                                std::span<const std::byte> bytes) {
-  const PhaseScope phase(machine_, Phase::io);
-  shelf_->write(path, info, bytes);
-  const std::uint64_t size = machine_.record_bytes(info.count);
-  machine_.write(disk, info.cluster.value, size);
-  count_.bytes_written += size;
-  ++count_.files_written;
-  return size;
+ClusterStore::~ClusterStore() {
+  std::error_code ignored;  // a directory that cannot be removed is in nobody's way
+  std::filesystem::remove_all(local_directory_, ignored);
+  std::filesystem::remove(layout_.local, ignored);  // succeeds for the last rank
 }
 
 void ClusterStore::write_initial(const ClusterState& state) {
@@ -44,7 +28,7 @@ void ClusterStore::write_initial(const ClusterState& state) {
   const auto put_section = [&](const std::string& path, Section section, RecordCount count) {
     const std::vector<std::byte> bytes = state.bytes_of(section);
     count.bytes = bytes.size();
-    shelf_->write(path, {id, section, 0, Slot::a, count}, bytes);
+    write_section(path, {id, section, 0, Slot::a, count}, bytes);
   };
   const std::string common = layout_.common();
   RecordCount surfaces, patches, links;
@@ -57,70 +41,53 @@ void ClusterStore::write_initial(const ClusterState& state) {
   links_slot_[id.index()] = Slot::a;
 }
 
-SectionFile ClusterStore::read_geometry(ClusterId id) {
-  return read(Disk::common, RunLayout::geometry(layout_.common(), id), id, Section::geometry, 0);
+std::string ClusterStore::path_of(const std::string& directory, ClusterId id,
+                                  Section section) const {
+  return section == Section::links ? RunLayout::links(directory, id, links_slot_[id.index()])
+                                   : RunLayout::patches(directory, id, other(committed_slot()));
 }
 
-SectionFile ClusterStore::read_patches(ClusterId id) {
-  if (written(id)) {
-    const Slot slot = other(committed_slot());
-    return read(Disk::local, RunLayout::patches(local_directory_, id, slot), id, Section::patches,
-                committed_ + 1);
+SectionFile ClusterStore::load_section(const SectionName& name) {
+  const auto& [id, section, committed] = name;
+  const PhaseScope phase(machine_, Phase::io);
+  const std::string common = layout_.common();
+  Disk disk = Disk::common;
+  std::string path;
+  if (section == Section::geometry) {
+    path = RunLayout::geometry(common, id);
+  } else {
+    const bool local =
+        section == Section::links ? charges_.links_written(id) : !committed && written(id);
+    if (local) disk = Disk::local;
+    path = local || section == Section::links
+               ? path_of(local ? local_directory_ : common, id, section)
+               : RunLayout::patches(common, id, committed_slot());
   }
-  SectionFile file = read_committed_patches(id);
-  links_slot_[id.index()] = file.info.links_slot;
+  SectionFile file = read_section(path, id, section);
+  charges_.read(disk, id, file.info.count);
+  if (section == Section::patches && !written(id)) links_slot_[id.index()] = file.info.links_slot;
   return file;
 }
 
-SectionFile ClusterStore::read_committed_patches(ClusterId id) {
-  return read(Disk::common, RunLayout::patches(layout_.common(), id, committed_slot()), id,
-              Section::patches, committed_);
-}
-
-SectionFile ClusterStore::read_links(ClusterId id) {
-  const auto found = local_.find(id);
-  const bool local = found != local_.end() && found->second.links;
-  const std::string& directory = local ? local_directory_ : layout_.common();
-  return read(local ? Disk::local : Disk::common,
-              RunLayout::links(directory, id, links_slot_[id.index()]), id, Section::links,
-              committed_ + (local ? 1 : 0));
-}
-
-void ClusterStore::write(ClusterId id, std::span<const std::byte> patches,
-                         const RecordCount& patches_count, std::span<const std::byte> links,
-                         const RecordCount& links_count) {
-  Local& local = local_[id];
-  written_[id.index()] = 1;
+void ClusterStore::store_sections(std::vector<SectionFile> sections) {
+  const ClusterId id = sections.front().info.cluster;
   Slot& links_slot = links_slot_[id.index()];
-  const auto iteration = static_cast<std::uint32_t>(committed_ + 1);
-  if (!links.empty()) {
-    if (!local.links) links_slot = other(links_slot);  // the committed ones stay
-    local.links = true;
-    local.links_bytes = put(Disk::local, RunLayout::links(local_directory_, id, links_slot),
-                            {id, Section::links, iteration, links_slot, links_count}, links);
+  const bool has_links = sections.back().info.section == Section::links;
+  if (has_links && !charges_.links_written(id)) links_slot = other(links_slot);  // committed: stay
+  for (auto file = sections.rbegin(); file != sections.rend(); ++file) {  // links, then patches
+    const PhaseScope phase(machine_, Phase::io);
+    file->info.iteration = static_cast<std::uint32_t>(committed_ + 1);
+    file->info.links_slot = links_slot;
+    write_section(path_of(local_directory_, id, file->info.section), file->info, file->bytes);
+    charges_.write(id, file->info.section, file->info.count);
   }
-  local.patches_bytes =
-      put(Disk::local, RunLayout::patches(local_directory_, id, other(committed_slot())),
-          {id, Section::patches, iteration, links_slot, patches_count}, patches);
 }
 
 void ClusterStore::move_to_common() {
-  const PhaseScope phase(machine_, Phase::commit);
   const std::string common = layout_.common();
-  const Slot slot = other(committed_slot());
-  for (const auto& [id, local] : local_) {
-    const Slot links_slot = links_slot_[id.index()];
-    if (local.links) {
-      shelf_->exchange(RunLayout::links(local_directory_, id, links_slot),
-                       RunLayout::links(common, id, links_slot));
-      machine_.move_to_common(id.value, local.links_bytes);
-    }
-    shelf_->exchange(RunLayout::patches(local_directory_, id, slot),
-                     RunLayout::patches(common, id, slot));
-    machine_.move_to_common(id.value, local.patches_bytes);
-  }
-  for (const auto& [id, local] : local_) written_[id.index()] = 0;
-  local_.clear();
+  charges_.move_to_common([&](ClusterId id, Section section) {
+    exchange_file(path_of(local_directory_, id, section), path_of(common, id, section));
+  });
 }
 
 }  // namespace enfilade

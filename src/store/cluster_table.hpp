@@ -1,5 +1,5 @@
-// Something for each of some clusters: found at once by the cluster's number, gone through in the
-// order of the numbers.
+// Values for some of the clusters: a value is found in constant time by the cluster's number, and
+// for_each() visits the values in the order of the numbers.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class ClusterTable {
   T* find(ClusterId id) const {
     return id.index() < places_.size() ? places_[id.index()].get() : nullptr;
   }
-  /// Makes one where there is none.
+  /// Makes a value where there is none.
   T& operator[](ClusterId id) {
     if (id.index() >= places_.size()) places_.resize(id.index() + 1);
     std::unique_ptr<T>& place = places_[id.index()];

@@ -1,11 +1,13 @@
 #include "store/resident_clusters.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 
 namespace enfilade {
 namespace {
+
+/// A list of what to evict serves for an eighth of the budget: making it takes a look at all
+/// clusters.
+constexpr std::uint64_t list_share = 8;
 
 /// In memory, a cluster's geometry and patches on the one hand, its links on the other.
 RecordCount links_in_memory(const ClusterState& state) {
@@ -25,7 +27,6 @@ RecordCount shooter_in_memory(const ClusterState& state) {
 }
 void drop_links_of(ClusterState& state) { state.links() = LinkSet(state.links().stride()); }
 void shrink(ClusterState& state) { state.shrink(); }
-std::uint64_t file_bytes(const ClusterState&, Section, std::size_t bytes) { return bytes; }
 
 RecordCount links_in_memory(const RecordedCluster& state) {
   const SectionWeight& links = state.weight().links;
@@ -35,98 +36,57 @@ RecordCount shooter_in_memory(const RecordedCluster& state) {
   const ClusterWeight& weight = state.weight();
   return {weight.geometry.count, weight.patches.count, 0, weight.patches.memory_bytes};
 }
-void drop_links_of(RecordedCluster& state) { state.drop_links(); }
+void drop_links_of(RecordedCluster& state) { state.set_links({}); }
 void shrink(RecordedCluster&) {}
-std::uint64_t file_bytes(const RecordedCluster& state, Section section, std::size_t) {
-  const ClusterWeight& weight = state.weight();
-  return section == Section::links ? weight.links.file_bytes : weight.patches.file_bytes;
-}
-
-/// The newest that this rank may see: its own of this iteration, or the committed one.
-int newest_iteration(const ClusterFiles& files, ClusterId id) {
-  return files.committed() + (files.written(id) ? 1 : 0);
-}
 
 }  // namespace
 
 template <class State>
-BasicResidentClusters<State>::BasicResidentClusters(ClusterFiles& files, Machine& machine,
+BasicResidentClusters<State>::BasicResidentClusters(ClusterSource<State>& source, Machine& machine,
                                                     std::uint64_t budget_bytes,
                                                     MemoryManager manager)
-    : files_(files),
-      machine_(machine),
-      budget_bytes_(budget_bytes),
-      manager_(manager),
-      placement_(manager, budget_bytes) {
+    : source_(source), machine_(machine), account_(machine, budget_bytes, manager) {
   next_use_ = [](ClusterId, bool links) { return links ? 1u : 0u; };
 }
 
 template <class State>
 void BasicResidentClusters<State>::adopt(State state) {
   Entry& entry = entries_[state.id()];
-  entry.links_checksum = checksum(state.bytes_of(Section::links));
   entry.state = std::make_unique<State>(std::move(state));
   entry.has_links = true;
-  entry.iteration = files_.committed();
+  entry.iteration = source_.committed();
   measure(entry);
   evict();
 }
 
-/// Brings the account of memory up to date with what the entry holds now.
 template <class State>
 void BasicResidentClusters<State>::measure(Entry& entry) {
-  bytes_ -= entry.shooter_bytes + entry.links_bytes;
-  entry.shooter_bytes = entry.links_bytes = 0;
+  std::uint64_t shooter_bytes = 0, links_bytes = 0;
   if (entry.state) {
-    entry.shooter_bytes = machine_.record_bytes(shooter_in_memory(*entry.state));
-    entry.links_bytes = machine_.record_bytes(links_in_memory(*entry.state));
+    shooter_bytes = machine_.record_bytes(shooter_in_memory(*entry.state));
+    links_bytes = machine_.record_bytes(links_in_memory(*entry.state));
   }
-  if (entry.previous) {
-    entry.shooter_bytes += machine_.record_bytes(shooter_in_memory(*entry.previous));
-  }
-  if (budget_bytes_ > 0) {
-    entry.shooter_bytes = placement_.accounted(entry.shooter_bytes);
-    entry.links_bytes = placement_.accounted(entry.links_bytes);
-    placement_.resize(entry.shooter_block, entry.shooter_bytes);
-    placement_.resize(entry.links_block, entry.links_bytes);
-  }
-  bytes_ += entry.shooter_bytes + entry.links_bytes;
-  largest_bytes_ = std::max(largest_bytes_, entry.shooter_bytes + entry.links_bytes);
-  count_.peak_bytes = std::max(count_.peak_bytes, bytes_);
-  if (budget_bytes_ > 0 && count_.peak_bytes > budget_bytes_) {
-    count_.over_budget_bytes = count_.peak_bytes - budget_bytes_;
-  }
-}
-
-template <class State>
-void BasicResidentClusters<State>::use(ClusterId id, const Entry& entry, bool links) {
-  std::uint64_t swapped = placement_.use(entry.shooter_block);
-  if (links) swapped += placement_.use(entry.links_block);
-  if (swapped == 0) return;
-  const PhaseScope phase(machine_, Phase::io);
-  machine_.read(Disk::local, id.value, swapped);
+  if (entry.previous) shooter_bytes += machine_.record_bytes(shooter_in_memory(*entry.previous));
+  account_.resize(entry.memory, shooter_bytes, links_bytes);
 }
 
 template <class State>
 ResidencyCount BasicResidentClusters<State>::count() const {
-  ResidencyCount count = count_;
-  count.placement = placement_.count();
-  return count;
+  return {account_.peak_bytes(), hits_, loads_, evictions_, account_.over_budget_bytes(),
+          account_.placement()};
 }
 
 template <class State>
 void BasicResidentClusters<State>::load(ClusterId id, Entry& entry) {
-  if (entry.state && entry.iteration >= newest_iteration(files_, id)) {
-    ++count_.hits;
+  const int iteration = newest_iteration(id);
+  if (entry.state && entry.iteration >= iteration) {
+    ++hits_;
     return;
   }
-  ++count_.loads;
-  const std::vector<std::byte> geometry =
-      entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
-  const SectionFile patches = files_.read_patches(id);
-  entry.state = std::make_unique<State>(geometry, patches.bytes, std::span<const std::byte>());
+  ++loads_;
+  entry.state = source_.read_shooter(id, Light::newest, entry.state.get());
   entry.has_links = entry.corrected = false;
-  entry.iteration = static_cast<int>(patches.info.iteration);
+  entry.iteration = iteration;
   measure(entry);
 }
 
@@ -136,22 +96,19 @@ void BasicResidentClusters<State>::set_correction(std::function<void(State&)> co
   entries_.for_each([](ClusterId, Entry& entry) { entry.corrected = false; });
 }
 
-/// Files hold what the gathers brought; the correction that belongs to the committed iteration is
-/// applied to what comes from them, and to what stayed in memory.
+/// The source has the light that the gathers made; the correction that belongs to the committed
+/// iteration is applied to clusters that come from there, and to those that stayed in memory.
 template <class State>
 void BasicResidentClusters<State>::correct(Entry& entry) {
-  if (!correction_ || entry.corrected || entry.iteration != files_.committed()) return;
+  if (!correction_ || entry.corrected || entry.iteration != source_.committed()) return;
   correction_(*entry.state);
   entry.corrected = true;
 }
 
 template <class State>
-void BasicResidentClusters<State>::load_links(ClusterId id, Entry& entry) {
-  const SectionFile links = files_.read_links(id);
-  entry.state = std::make_unique<State>(entry.state->bytes_of(Section::geometry),
-                                        entry.state->bytes_of(Section::patches), links.bytes);
+void BasicResidentClusters<State>::load_links(Entry& entry) {
+  source_.read_links(*entry.state);
   entry.has_links = true;
-  entry.links_checksum = checksum(links.bytes);
   measure(entry);
 }
 
@@ -170,10 +127,7 @@ void BasicResidentClusters<State>::set_jacobi(bool jacobi) {
 template <class State>
 const State& BasicResidentClusters<State>::committed(ClusterId id, Entry& entry) {
   if (!entry.previous) {
-    const std::vector<std::byte> geometry =
-        entry.state ? entry.state->bytes_of(Section::geometry) : files_.read_geometry(id).bytes;
-    entry.previous = std::make_unique<State>(geometry, files_.read_committed_patches(id).bytes,
-                                             std::span<const std::byte>());
+    entry.previous = source_.read_shooter(id, Light::committed, entry.state.get());
     if (correction_) correction_(*entry.previous);
     measure(entry);
   }
@@ -194,13 +148,13 @@ State& BasicResidentClusters<State>::pin_receiver(ClusterId id,
   receiver_ = id;
   visible_ = visible;
   Entry& entry = newest(id);
-  if (!entry.has_links) load_links(id, entry);
-  if (jacobi_ && !files_.written(id)) {
+  if (!entry.has_links) load_links(entry);
+  if (jacobi_ && !source_.written(id)) {
     entry.previous = std::make_unique<State>(entry.state->shooter());
     measure(entry);
   }
   evict();
-  use(id, entry, true);
+  account_.use(id, entry.memory, true);
   return *entry.state;
 }
 
@@ -209,7 +163,7 @@ const State& BasicResidentClusters<State>::pin_shooter(ClusterId id) {
   shooter_ = id;
   const State& state = shoots_as_committed(id) ? committed(id, entries_[id]) : *newest(id).state;
   evict();
-  use(id, *entries_.find(id), false);
+  account_.use(id, entries_.find(id)->memory, false);
   return state;
 }
 
@@ -220,15 +174,13 @@ bool BasicResidentClusters<State>::pinned(ClusterId id) const {
 
 template <class State>
 void BasicResidentClusters<State>::list_missing(ClusterId id,
-                                                std::vector<SectionName>& missing) const {
+                                                std::vector<ShooterRequest>& missing) const {
   const Entry* entry = entries_.find(id);
   const bool here = entry != nullptr && entry->state != nullptr;
   const bool as_committed = shoots_as_committed(id);
   if (as_committed && entry != nullptr && entry->previous) return;
-  if (!here) missing.push_back({id, Section::geometry});
-  if (as_committed || !here || entry->iteration < newest_iteration(files_, id)) {
-    missing.push_back({id, Section::patches, as_committed || !files_.written(id)});
-  }
+  if (here && !as_committed && entry->iteration >= newest_iteration(id)) return;
+  missing.push_back({id, as_committed ? Light::committed : Light::newest, here});
 }
 
 template <class State>
@@ -236,35 +188,24 @@ void BasicResidentClusters<State>::hold(std::vector<ClusterId> shooters) {
   std::sort(shooters.begin(), shooters.end());
   shooters.erase(std::unique(shooters.begin(), shooters.end()), shooters.end());
   held_ = std::move(shooters);
-  std::vector<SectionName> missing;
+  std::vector<ShooterRequest> missing;
   for (const ClusterId id : held_) list_missing(id, missing);
-  files_.announce(missing);
+  source_.announce(missing);
   for (const ClusterId id : held_) pin_shooter(id);
   unpin();
 }
 
 template <class State>
-WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id) {
+WrittenReceiver BasicResidentClusters<State>::write_receiver(ClusterId id, bool links_changed) {
   Entry& entry = *entries_.find(id);
   shrink(*entry.state);
   const State& state = *entry.state;
-  const RecordCount shooter = shooter_in_memory(state), links_count = links_in_memory(state);
-  WrittenReceiver written;
-  written.patches = {shooter.patches, 0, shooter.bytes, 0};
-  written.links = {links_count.links, 0, links_count.bytes, 0};
-  const std::vector<std::byte> patches = state.bytes_of(Section::patches);
-  std::vector<std::byte> links = state.bytes_of(Section::links);
-  written.patches.file_bytes = file_bytes(state, Section::patches, patches.size());
-  written.links.file_bytes = file_bytes(state, Section::links, links.size());
-  const std::uint64_t sum = checksum(links);
-  written.links_changed = sum != entry.links_checksum;
-  if (!written.links_changed) links.clear();
-  files_.write(id, patches, {0, shooter.patches, 0, written.patches.file_bytes}, links,
-               {0, 0, links_count.links, written.links.file_bytes});
-  entry.links_checksum = written.links.version = sum;
-  entry.iteration = files_.committed() + 1;
+  const SectionBytes written = source_.write(state, links_changed);
+  entry.iteration = source_.committed() + 1;
   measure(entry);
-  return written;
+  const RecordCount shooter = shooter_in_memory(state), links = links_in_memory(state);
+  return {{shooter.patches, written.patches, shooter.bytes},
+          {links.links, written.links, links.bytes}};
 }
 
 template <class State>
@@ -282,77 +223,56 @@ std::uint64_t BasicResidentClusters<State>::turns_until(ClusterId id, bool links
 }
 
 template <class State>
-void BasicResidentClusters<State>::drop_links(Entry& entry) {
-  drop_links_of(*entry.state);
-  entry.has_links = false;
-}
-
-template <class State>
 bool BasicResidentClusters<State>::may_go(const Entry* entry, ClusterId id, bool links) const {
   if (entry == nullptr) return false;
   return links ? entry->has_links && id != receiver_ : !pinned(id);
 }
 
 template <class State>
-void BasicResidentClusters<State>::list_parts() {
-  parts_.clear();
+std::vector<EvictionCandidate> BasicResidentClusters<State>::eviction_candidates() const {
+  std::vector<EvictionCandidate> candidates;
   entries_.for_each([&](ClusterId id, const Entry& entry) {
     for (const bool links : {true, false}) {
-      if (may_go(&entry, id, links)) parts_.emplace_back(turns_until(id, links), links, id);
+      if (may_go(&entry, id, links)) candidates.push_back({turns_until(id, links), links, id});
     }
   });
-  std::make_heap(parts_.begin(), parts_.end());
-  parts_good_for_bytes_ = budget_bytes_ / 8;
+  return candidates;
 }
 
 template <class State>
 void BasicResidentClusters<State>::drop(Entry& entry, ClusterId id, bool links) {
-  const std::uint64_t before = bytes_;
   if (links) {
-    drop_links(entry);
+    drop_links_of(*entry.state);
+    entry.has_links = false;
   } else {
     entry.state.reset();
     entry.previous.reset();
   }
   measure(entry);
   if (!links) entries_.erase(id);
-  const std::uint64_t freed = before - bytes_;
-  freed_bytes_ += freed;
-  parts_good_for_bytes_ -= std::min(parts_good_for_bytes_, freed);
-  ++count_.evictions;
+  ++evictions_;
 }
 
 template <class State>
 void BasicResidentClusters<State>::evict() {
-  if (budget_bytes_ == 0) return;
-  // The next cluster comes in before others go: there must be room for it, or the system would
-  // swap.
-  const std::uint64_t limit = budget_bytes_ - std::min(budget_bytes_ / 2, largest_bytes_);
-  if (bytes_ <= limit) return;
-  // A little more than needed, so that this is not done for every cluster that comes in; and in the
-  // order worked out a while ago, where what was farthest then is far still.
-  const std::uint64_t goal = limit - limit / 32;
-  bool now = false;
-  while (bytes_ > goal) {
-    if (parts_.empty() || parts_good_for_bytes_ == 0) {
-      list_parts();
-      now = true;
-      if (parts_.empty()) break;
+  const std::uint64_t goal = account_.goal_bytes();
+  const std::uint64_t before = account_.bytes();
+  bool listed_now = false;
+  while (account_.bytes() > goal) {
+    if (order_.out_of_date()) {
+      order_.set(eviction_candidates(), account_.budget_bytes() / list_share);
+      listed_now = true;
+      if (order_.empty()) break;
     }
-    std::pop_heap(parts_.begin(), parts_.end());
-    const auto [turns, links, id] = parts_.back();
-    parts_.pop_back();
+    const auto [turns, links, id] = order_.take();
     Entry* entry = entries_.find(id);
     if (!may_go(entry, id, links)) continue;
-    if (now || turns_until(id, links) >= turns / 2) drop(*entry, id, links);
+    if (!listed_now && turns_until(id, links) < turns / 2) continue;  // its use has come near
+    const std::uint64_t bytes = account_.bytes();
+    drop(*entry, id, links);
+    order_.note_evicted(bytes - account_.bytes());
   }
-  // What was freed lies scattered in the allocator's heap and would still count as resident (§4.4);
-  // on a simulated machine memory is counted, not measured.
-  if (manager_ == MemoryManager::own && !ranks_share_a_process() &&
-      freed_bytes_ > budget_bytes_ / 8) {
-    malloc_trim(0);
-    freed_bytes_ = 0;
-  }
+  account_.return_freed(before - account_.bytes());
 }
 
 template <class State>

@@ -4,7 +4,7 @@
 
 namespace enfilade {
 namespace {
-/// Of a block: its size before it, and addresses that are multiples of this.
+/// A block has its size before it, and its address is a multiple of this, as with glibc.
 constexpr std::uint64_t header_bytes = 16;
 }  // namespace
 

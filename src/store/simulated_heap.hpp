@@ -1,4 +1,5 @@
-// A general-purpose heap: which holes malloc() and free() leave (§4.4).
+// A model of a general-purpose heap: which holes malloc() and free() leave (§4.4). It holds
+// addresses, not memory.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +10,13 @@
 
 namespace enfilade {
 
-/// A block is one piece, in the smallest hole that it fits into, else at the end; neighbouring
-/// holes become one; only what is free at the end goes back.
+/// Best fit with coalescing: a block goes into the smallest hole that it fits into, else to the
+/// end; neighbouring holes become one; only a free range at the end goes back to the system.
 class SimulatedHeap {
  public:
   AddressRange take(std::uint64_t bytes);
   void free(AddressRange range);
-  /// Behind the last block.
+  /// The first address behind the last block.
   std::uint64_t end() const { return end_; }
 
  private:

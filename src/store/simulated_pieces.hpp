@@ -1,4 +1,5 @@
-// Memory cut into small pieces, all alike, so that no hole is too small to be used (§4.4).
+// A model of a memory that is cut into small pieces of one size, so that no hole is too small to be
+// used (§4.4). It holds addresses, not memory.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +11,23 @@ struct AddressRange {
   std::uint64_t address = 0, bytes = 0;
 };
 
-/// Pieces are taken from pages that hold others already, else from the lowest empty page: no page
-/// is begun as long as one has room, so that never more pages are in use than the pieces filled
-/// when they were most.
+/// Pieces are taken from the lowest page that is partly used, else from the lowest empty page. So
+/// the pages ever used are no more than the pieces filled at their peak.
 class SimulatedPieces {
  public:
   static constexpr std::uint64_t page_bytes = 4096;
   static constexpr std::uint64_t piece_bytes = 256;
 
-  /// Takes as many pieces as `bytes` (a multiple of piece_bytes) need; appends where they lie, what
-  /// lies side by side as one range.
+  /// Takes pieces for `bytes` (a multiple of piece_bytes) and appends their addresses; neighbouring
+  /// pieces become one range.
   void take(std::uint64_t bytes, std::vector<AddressRange>& ranges);
   void free(AddressRange range);
   bool page_empty(std::size_t page) const { return used_[page] == 0; }
-  /// Behind the last piece that was ever taken.
+  /// The first address behind the last piece that was ever taken.
   std::uint64_t extent_bytes() const { return extent_bytes_; }
 
  private:
-  /// Pages, and quickly the lowest of them.
+  /// A set of pages whose lowest one is found quickly.
   class PageSet {
    public:
     static constexpr std::size_t none = ~std::size_t{0};

@@ -5,6 +5,11 @@
 #include "base/error.hpp"
 
 namespace enfilade {
+namespace {
+/// A 32nd of the memory is swapped out beyond the need, as systems do, so that not every new page
+/// makes another one go.
+constexpr std::uint64_t slack_share = 32;
+}  // namespace
 
 const char* name_of(MemoryManager manager) {
   return manager == MemoryManager::own ? "own" : "malloc";
@@ -81,7 +86,8 @@ void SimulatedPlacement::give_back(std::size_t page) {
   pages_[page] = {};
 }
 
-/// The old block goes when the new one is there, as with a vector that grows; own pieces stay.
+/// In a heap the old block is freed after the new one was taken, as with a vector that grows; own
+/// pieces stay where they are.
 void SimulatedPlacement::resize(Block& block, std::uint64_t bytes) {
   BlockPlace old;
   if (block != 0) {
@@ -135,7 +141,6 @@ std::uint64_t SimulatedPlacement::touch(const BlockPlace& block) {
   return swapped;
 }
 
-/// A little more than needed, as systems do.
 std::uint64_t SimulatedPlacement::swap_oldest() {
   for (const BlockPlace& block : blocks_) {
     for (const AddressRange& range : block.ranges) {
@@ -149,7 +154,7 @@ std::uint64_t SimulatedPlacement::swap_oldest() {
     if (pages_[p].in_memory && pages_[p].last_use < clock_)
       used.emplace_back(pages_[p].last_use, p);
   }
-  const std::size_t excess = static_cast<std::size_t>(in_memory_ - frames_ + frames_ / 32);
+  const std::size_t excess = static_cast<std::size_t>(in_memory_ - frames_ + frames_ / slack_share);
   const std::size_t count = std::min(used.size(), excess);
   std::nth_element(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(count), used.end());
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Where a rank's clusters lie in a memory of its budget's size, and what of that memory an
+// A simulation of a memory of a rank's budget: where its clusters would lie, and how much of it an
 // operating system would swap (§4.4).
 #pragma once
 
@@ -10,9 +10,8 @@
 
 namespace enfilade {
 
-/// own     small pieces (simulated_pieces.hpp): a block takes any that are free, and free pages go
-/// back to
-///         the system (in the real heap: by malloc_trim)
+/// own     small pieces (simulated_pieces.hpp): a block takes any free pieces, and free pages go
+///         back to the system (in the real heap: by malloc_trim)
 /// malloc  a general-purpose heap (simulated_heap.hpp)
 enum class MemoryManager { own, malloc };
 /// Throws InputError for a name that is neither.
@@ -20,17 +19,17 @@ MemoryManager memory_manager(const std::string& name);
 const char* name_of(MemoryManager manager);
 
 struct SimulatedPlacementCount {
-  std::uint64_t extent_bytes = 0;   ///< largest address in use at any time: what the blocks and the
-                                    ///< holes between them took
-  std::uint64_t swapped_bytes = 0;  ///< moved out of the memory, and in again where needed
+  std::uint64_t extent_bytes = 0;   ///< largest address in use at any time: blocks and the holes
+                                    ///< between them
+  std::uint64_t swapped_bytes = 0;  ///< moved out of the memory, and in again
 };
 
-/// The paper saw its hosts swap though what was resident would have fitted, since malloc() and
-/// free() left holes. Here both ways of placing are given the same blocks, as the solver makes,
-/// grows and drops them, and the same physical memory with the system's rule: when it is full, the
-/// pages go that were not used for longest. A page in a hole of the heap is dirty and goes the same
-/// way. A cluster is one block a part, where the real heap has a vector a patch: that is kind to
-/// malloc.
+/// The paper's hosts swapped although their resident clusters would have fitted, since malloc() and
+/// free() left holes. Here both memory managers place the same blocks, as the solver makes, grows
+/// and drops them, in the same physical memory with the system's rule: when the memory is full, the
+/// least recently used pages are swapped out. A page in a hole of the heap is dirty and is swapped
+/// out as well. Each of a cluster's two parts is one block here, where the real heap has a vector
+/// for each patch: the simulation favours malloc.
 class SimulatedPlacement {
  public:
   static constexpr std::uint64_t page_bytes = SimulatedPieces::page_bytes;
@@ -39,12 +38,12 @@ class SimulatedPlacement {
 
   /// A block; 0 is none.
   using Block = std::uint32_t;
-  /// What a block of so many bytes counts for with who does the accounts: own knows its pieces, a
-  /// user of malloc() only what was asked for.
+  /// What a block of so many bytes counts for in the budget: whole pieces (own), or the bytes that
+  /// were asked for (malloc).
   std::uint64_t accounted(std::uint64_t bytes) const;
   /// Makes a block (0 before), gives it another size and so another place, or drops it (bytes = 0).
   void resize(Block& block, std::uint64_t bytes);
-  /// Its pages are read or written. Returns the bytes that had to be swapped for that.
+  /// The block's pages are read or written. Returns the bytes that had to be swapped for that.
   std::uint64_t use(Block block);
 
   const SimulatedPlacementCount& count() const { return count_; }
@@ -55,16 +54,16 @@ class SimulatedPlacement {
     std::uint64_t last_use = 0;
   };
   struct Page {
-    std::uint64_t last_use = 0;  ///< by blocks that are gone; those that are there know their own
+    std::uint64_t last_use = 0;  ///< by blocks that were freed; other blocks have their own
     bool in_memory = false, on_disk = false;
   };
   Block new_block();
-  /// All pages that these addresses touch.
+  /// Calls visit(page) for all pages of the range.
   template <class Visit>
   void for_pages(const AddressRange& range, Visit visit);
   void take(std::uint64_t bytes, std::vector<AddressRange>& ranges);
   void free(const AddressRange& range, std::uint64_t last_use);
-  /// The page is the system's again.
+  /// Returns the page to the system.
   void give_back(std::size_t page);
   /// Brings the block's pages into the memory. Returns the bytes swapped for that.
   std::uint64_t touch(const BlockPlace& block);

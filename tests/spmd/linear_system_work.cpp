@@ -91,7 +91,7 @@ void LinearSystemWork::initialise() {
 }
 
 std::vector<double> LinearSystemWork::values(ClusterId id) {
-  return doubles(store_.read_patches(id).bytes);
+  return doubles(store_.load_section({id, Section::patches}).bytes);
 }
 
 IterationFigures LinearSystemWork::gather(ClusterId receiver) {
@@ -117,8 +117,9 @@ IterationFigures LinearSystemWork::gather(ClusterId receiver) {
   figures.patches = size;
   figures.work.kernels = size * x.size();
   machine_.compute(figures.work);
-  const std::span<const double> block(x.data() + first, size);
-  store_.write(receiver, std::as_bytes(block), record_of(size), {}, {});
+  const auto block = std::as_bytes(std::span(x.data() + first, size));
+  store_.store_sections(
+      {{{receiver, Section::patches, 0, Slot::a, record_of(size)}, {block.begin(), block.end()}}});
   gathered_.push_back(receiver);
   return figures;
 }

@@ -41,11 +41,14 @@ void Master::serve(Rank slave, Message message) {
     waiting_.push_back(slave);
     answer_waiting();
   } else if (const auto* wanted = std::get_if<SectionRequest>(&message)) {
-    const auto sections = read_for(store_, *wanted);
+    SectionReply reply;
+    for (const SectionName& name : wanted->sections)
+      reply.sections.push_back(store_.load_section(name));
     machine_.settle();
-    send(communicator_, slave, sections);
-  } else if (const auto* result = std::get_if<ClusterResult>(&message)) {
-    write_for(store_, *result);
+    send(communicator_, slave, reply);
+  } else if (auto* result = std::get_if<ClusterResult>(&message)) {
+    ENFILADE_CHECK(!result->sections.empty(), "a result without patches");
+    store_.store_sections(std::move(result->sections));
   } else if (auto* token = std::get_if<Token>(&message)) {
     tokens_[slave] = std::move(*token);
   } else {

@@ -8,6 +8,7 @@
 #include "schemes/master/dealer.hpp"
 #include "schemes/master/remote_files.hpp"
 #include "schemes/protocol/convergence_monitor.hpp"
+#include "store/cluster_store.hpp"
 
 namespace enfilade {
 

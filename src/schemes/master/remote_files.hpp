@@ -3,11 +3,12 @@
 
 #include <map>
 #include <set>
+#include <vector>
 
 #include "base/error.hpp"
 #include "machine/machine.hpp"
 #include "schemes/protocol/messages.hpp"
-#include "store/cluster_store.hpp"
+#include "store/cluster_files.hpp"
 
 namespace enfilade {
 
@@ -25,35 +26,21 @@ class RemoteFiles final : public ClusterFiles {
   void set_committed(int iteration) override { committed_ = iteration; }
   int committed() const override { return committed_; }
   /// Fetches them in one message; each is kept until it is read, once.
-  void announce(std::span<const SectionName> sections) override;
-  SectionFile read_geometry(ClusterId id) override { return take({id, Section::geometry}); }
-  SectionFile read_patches(ClusterId id) override {
-    return take({id, Section::patches, !written(id)});
-  }
-  SectionFile read_committed_patches(ClusterId id) override {
-    return take({id, Section::patches, true});
-  }
-  SectionFile read_links(ClusterId id) override { return take({id, Section::links}); }
+  void prefetch(std::vector<SectionName> names) override;
+  SectionFile load_section(const SectionName& name) override;
   /// Sends them to the master.
-  void write(ClusterId id, std::span<const std::byte> patches, const RecordCount& patches_count,
-             std::span<const std::byte> links, const RecordCount& links_count) override;
+  void store_sections(std::vector<SectionFile> sections) override;
   bool written(ClusterId id) const override { return written_.contains(id); }
   /// The master moves the files; fetched sections are out of date.
   void move_to_common() override;
 
  private:
-  SectionFile take(const SectionName& name);
-
   Communicator& communicator_;
   Machine& machine_;
   int committed_ = 0;
   std::set<ClusterId> written_;
   std::map<SectionName, SectionFile> fetched_;
 };
-
-/// The master's side: reads what a slave asks for, and writes what one has made.
-SectionReply read_for(ClusterStore& store, const SectionRequest& request);
-void write_for(ClusterStore& store, const ClusterResult& result);
 
 /// Waits for the next message, which must be a T: a slave gets messages from the master alone.
 /// Throws RunError for any other.

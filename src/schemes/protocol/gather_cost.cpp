@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST2";
+constexpr std::string_view mark = "ENFCOST3";
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const FoldedNumbers numbers = to_numbers(cost.figures);
@@ -20,7 +20,8 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
   w.put_all(numbers.maxima);
   w.put_all(numbers.sums);
   w.put(cost.patches);
-  w.put(cost.links);
+  w.put(cost.links_changed);
+  if (cost.links_changed) w.put(cost.links);
   w.put_all(cost.coupled);
 }
 
@@ -31,7 +32,8 @@ GatherCost get_cost(ByteReader& r) {
   const auto sums = r.get_all<double>();
   cost.figures = figures_from(maxima, sums);
   cost.patches = r.get<SectionWeight>();
-  cost.links = r.get<SectionWeight>();
+  cost.links_changed = r.get<bool>();
+  if (cost.links_changed) cost.links = r.get<SectionWeight>();
   cost.coupled = r.get_all<std::uint32_t>();
   return cost;
 }
@@ -85,11 +87,10 @@ ClusterWeight Recording::weight(ClusterId cluster, int iteration) const {
 
 void CostRecorder::add_start(const ClusterState& state) {
   ClusterWeight weight;
-  weight.geometry = {state.patches().polygons(), state.bytes_of(Section::geometry).size(), 0, 0};
+  weight.geometry = {state.patches().polygons(), state.bytes_of(Section::geometry).size(), 0};
   weight.patches = {state.patches().size(), state.bytes_of(Section::patches).size(),
-                    state.memory_bytes(), 0};
-  const std::vector<std::byte> links = state.bytes_of(Section::links);  // none yet
-  weight.links = {0, links.size(), 0, checksum(links)};
+                    state.memory_bytes()};
+  weight.links = {0, state.bytes_of(Section::links).size(), 0};  // none yet
   start_.emplace_back(state.id(), weight);
 }
 
@@ -141,7 +142,9 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
     read_iteration(run_directory, k, clusters, recording.method, [&](ByteReader& r) {
       GatherCost cost = get_cost(r);
       const ClusterId id = cost.cluster;
-      if (id.index() < clusters) gathers[id.index()] = std::move(cost);
+      if (id.index() >= clusters) return id;
+      if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
+      gathers[id.index()] = std::move(cost);
       return id;
     });
   }

@@ -17,7 +17,8 @@ namespace enfilade {
 struct GatherCost {
   ClusterId cluster;
   IterationFigures figures;      ///< of this gather; its work among them
-  SectionWeight patches, links;  ///< as it wrote them
+  SectionWeight patches, links;  ///< as it left them
+  bool links_changed = false;    ///< only then were links written
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
 };

@@ -41,7 +41,14 @@ void write(ByteWriter& w, const Decision& decision) {
   w.put_all(decision.correction);
 }
 
-void write(ByteWriter& w, const WorkRequest& request) { w.put_all(request.done); }
+void write(ByteWriter& w, const WorkRequest& request) {
+  w.put(static_cast<std::uint64_t>(request.done.size()));
+  for (const GatherNote& note : request.done) {
+    w.put(note.cluster);
+    w.put(note.change_power);
+    w.put(note.links);
+  }
+}
 
 void write(ByteWriter& w, const WorkOrder& order) {
   w.put_all(order.gather);
@@ -50,20 +57,27 @@ void write(ByteWriter& w, const WorkOrder& order) {
   w.put_all(order.gathered);
 }
 
-void write(ByteWriter& w, const SectionRequest& request) { w.put_all(request.sections); }
+void write(ByteWriter& w, const SectionRequest& request) {
+  w.put(static_cast<std::uint64_t>(request.sections.size()));
+  for (const SectionName& name : request.sections) {
+    w.put(name.cluster);
+    w.put(name.section);
+    w.put(name.committed);
+  }
+}
 
 void write_sections(ByteWriter& w, const std::vector<SectionFile>& sections) {
   w.put(static_cast<std::uint64_t>(sections.size()));
   for (const SectionFile& section : sections) {
-    w.put(section.info);
+    put_info(w, section.info);
     w.put_all(section.bytes);
   }
 }
 
 std::vector<SectionFile> read_sections(ByteReader& r) {
-  std::vector<SectionFile> sections(r.get_count(sizeof(SectionInfo)));
+  std::vector<SectionFile> sections(r.get_count(section_info_bytes));
   for (SectionFile& section : sections) {
-    section.info = r.get<SectionInfo>();
+    section.info = get_info(r);
     section.bytes = r.get_all<std::byte>();
   }
   return sections;
@@ -109,6 +123,28 @@ Decision read_decision(ByteReader& r) {
   return decision;
 }
 
+WorkRequest read_work_request(ByteReader& r) {
+  WorkRequest request;
+  request.done.resize(r.get_count(sizeof(ClusterId) + sizeof(double) + sizeof(std::uint64_t)));
+  for (GatherNote& note : request.done) {
+    note.cluster = r.get<ClusterId>();
+    note.change_power = r.get<double>();
+    note.links = r.get<std::uint64_t>();
+  }
+  return request;
+}
+
+SectionRequest read_section_request(ByteReader& r) {
+  SectionRequest request;
+  request.sections.resize(r.get_count(sizeof(ClusterId) + sizeof(Section) + sizeof(bool)));
+  for (SectionName& name : request.sections) {
+    name.cluster = r.get<ClusterId>();
+    name.section = r.get<Section>();
+    name.committed = r.get<bool>();
+  }
+  return request;
+}
+
 WorkOrder read_work_order(ByteReader& r) {
   WorkOrder order;
   order.gather = r.get_all<ClusterId>();
@@ -129,11 +165,11 @@ Message read_message(Tag tag, ByteReader& r) {
     case Tag::decision:
       return read_decision(r);
     case Tag::work_request:
-      return WorkRequest{r.get_all<GatherNote>()};
+      return read_work_request(r);
     case Tag::work_order:
       return read_work_order(r);
     case Tag::section_request:
-      return SectionRequest{r.get_all<SectionName>()};
+      return read_section_request(r);
     case Tag::section_reply:
       return SectionReply{read_sections(r)};
     case Tag::cluster_result:

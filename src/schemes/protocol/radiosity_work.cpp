@@ -23,9 +23,9 @@ std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
 
 }  // namespace
 
-RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                             Machine& machine, CostRecorder& recorder,
-                             const RadiosityWorkConfig& config)
+RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout,
+                             ClusterSource<ClusterState>& files, Machine& machine,
+                             CostRecorder& recorder, const RadiosityWorkConfig& config)
     : prepared_(prepared),
       layout_(layout),
       files_(files),
@@ -77,10 +77,10 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
     coarse_.add(receiver, result.coarse, unknowns_);
     places = coupled(receiver, result.coarse, unknowns_);
   }
-  const WrittenReceiver written = resident_.write_receiver(receiver);
-
+  const WrittenReceiver written = resident_.write_receiver(receiver, result.links_changed);
   resident_.unpin();
-  recorder_.add({receiver, result.figures, written.patches, written.links, std::move(places)});
+  recorder_.add({receiver, result.figures, written.patches, written.links, result.links_changed,
+                 std::move(places)});
   return result.figures;
 }
 

@@ -11,7 +11,7 @@
 #include "schemes/protocol/cluster_work.hpp"
 #include "schemes/protocol/gather_cost.hpp"
 #include "solver/gather_plan.hpp"
-#include "store/cluster_files.hpp"
+#include "store/cluster_source.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
@@ -26,8 +26,9 @@ struct RadiosityWorkConfig {
 class RadiosityWork final : public ClusterWork {
  public:
   /// All but `config` must outlive it.
-  RadiosityWork(const Prepared& prepared, const RunLayout& layout, ClusterFiles& files,
-                Machine& machine, CostRecorder& recorder, const RadiosityWorkConfig& config);
+  RadiosityWork(const Prepared& prepared, const RunLayout& layout,
+                ClusterSource<ClusterState>& files, Machine& machine, CostRecorder& recorder,
+                const RadiosityWorkConfig& config);
 
   /// Keeps a cluster of the state before the first iteration in memory; its files must exist.
   void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
@@ -53,7 +54,7 @@ class RadiosityWork final : public ClusterWork {
  private:
   const Prepared& prepared_;
   const RunLayout& layout_;
-  ClusterFiles& files_;
+  ClusterSource<ClusterState>& files_;
   Machine& machine_;
   CostRecorder& recorder_;
   RadiosityWorkConfig config_;

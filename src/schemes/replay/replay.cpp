@@ -66,8 +66,7 @@ RunRecord replay(const std::string& recorded, const SolveConfig& config, Communi
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   TaskList tasks(own, costs->at(memory),
                  make_order(config.order, config.seed, prepared.graph, shared->emitted_powers));
-  ReplayWork work(shared, RunLayout(config.run_directory), communicator.rank(), machine, memory,
-                  config.memory_manager);
+  ReplayWork work(shared, machine, memory, config.memory_manager);
   work.set_next_use([&tasks](ClusterId id, bool links) { return tasks.next_use(id, links); });
   work.initialise(own);
   const auto plan_of = [&recording](std::size_t iteration) {  // counted from 0

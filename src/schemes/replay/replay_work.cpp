@@ -3,55 +3,13 @@
 #include <algorithm>
 
 namespace enfilade {
-namespace {
 
-/// Sections with the recorded sizes in place of their bytes.
-class RecordShelf final : public SectionShelf {
- public:
-  explicit RecordShelf(const Recording& recording) : recording_(recording) {}
-  void open(const std::string&) override {}
-  void close(const std::string&, const std::string&) override {}
-  void write(const std::string&, const SectionInfo&, std::span<const std::byte>) override {}
-  void exchange(const std::string&, const std::string&) override {}
-
-  SectionFile read(const std::string&, ClusterId cluster, Section section, int iteration) override {
-    const ClusterWeight weight = recording_.weight(cluster, iteration);
-    SectionFile file;
-    file.info.cluster = cluster;
-    file.info.section = section;
-    file.info.iteration = static_cast<std::uint32_t>(iteration);
-    RecordCount& count = file.info.count;
-    switch (section) {
-      case Section::geometry:
-        count = {weight.geometry.count, 0, 0, weight.geometry.file_bytes};
-        file.bytes = RecordedCluster::section_bytes(cluster, weight.geometry);
-        break;
-      case Section::patches:
-        count = {0, weight.patches.count, 0, weight.patches.file_bytes};
-        file.bytes = RecordedCluster::section_bytes(cluster, weight.patches);
-        break;
-      case Section::links:
-        count = {0, 0, weight.links.count, weight.links.file_bytes};
-        file.bytes = RecordedCluster::section_bytes(cluster, weight.links);
-        break;
-    }
-    return file;
-  }
-
- private:
-  const Recording& recording_;
-};
-
-}  // namespace
-
-ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout,
-                       Rank rank, Machine& machine, std::uint64_t memory_bytes,
-                       MemoryManager manager)
+ReplayWork::ReplayWork(std::shared_ptr<const ReplayShared> shared, Machine& machine,
+                       std::uint64_t memory_bytes, MemoryManager manager)
     : shared_(std::move(shared)),
       machine_(machine),
-      store_(layout, rank, shared_->prepared.clusters.size(), machine,
-             std::make_unique<RecordShelf>(shared_->recording)),
-      resident_(store_, machine, memory_bytes, manager),
+      clusters_(shared_->recording, machine),
+      resident_(clusters_, machine, memory_bytes, manager),
       coarse_(shared_->unknowns.count, shared_->recording.bands) {}
 
 void ReplayWork::initialise(std::span<const ClusterId> own) {
@@ -62,7 +20,7 @@ void ReplayWork::initialise(std::span<const ClusterId> own) {
 
 void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
-  store_.set_committed(plan.iteration - 1);
+  clusters_.set_committed(plan.iteration - 1);
   if (shared_->recording.method.coarse_correction)
     coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
   resident_.set_correction({});
@@ -79,7 +37,8 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
     if (id != receiver) resident_.pin_shooter(id);
   }
   spend(machine_, cost.figures.work);
-  state.become(cost.patches, cost.links);
+  state.set_patches(cost.patches);
+  state.set_links(cost.links);
   if (shared_->recording.method.coarse_correction) {
     const CoarseUnknowns& unknowns = shared_->unknowns;
     const auto count = static_cast<std::uint32_t>(unknowns.count);
@@ -87,7 +46,7 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
       coarse_.couple(unknowns.first[receiver.index()] + place / count, place % count);
     }
   }
-  resident_.write_receiver(receiver);
+  resident_.write_receiver(receiver, cost.links_changed);
   resident_.unpin();
   return cost.figures;
 }

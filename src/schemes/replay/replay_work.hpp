@@ -10,7 +10,7 @@
 #include "run/prepare.hpp"
 #include "schemes/protocol/cluster_work.hpp"
 #include "schemes/protocol/gather_cost.hpp"
-#include "store/cluster_store.hpp"
+#include "schemes/replay/recorded_clusters.hpp"
 #include "store/resident_clusters.hpp"
 
 namespace enfilade {
@@ -26,8 +26,8 @@ struct ReplayShared {
 
 class ReplayWork final : public ClusterWork {
  public:
-  ReplayWork(std::shared_ptr<const ReplayShared> shared, const RunLayout& layout, Rank rank,
-             Machine& machine, std::uint64_t memory_bytes, MemoryManager manager);
+  ReplayWork(std::shared_ptr<const ReplayShared> shared, Machine& machine,
+             std::uint64_t memory_bytes, MemoryManager manager);
 
   /// Keeps the assigned clusters in memory, as they were before the first iteration.
   void initialise(std::span<const ClusterId> own);
@@ -38,7 +38,7 @@ class ReplayWork final : public ClusterWork {
   void begin(const IterationPlan& plan, std::span<const double> changes) override;
   IterationFigures gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
-  void move_to_common() override { store_.move_to_common(); }
+  void move_to_common() override { clusters_.move_to_common(); }
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   /// A correction of the recorded size and figures, without effect on patches.
@@ -46,13 +46,13 @@ class ReplayWork final : public ClusterWork {
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;
 
-  const StoreCount& store_count() const { return store_.count(); }
+  const StoreCount& store_count() const { return clusters_.count(); }
   ResidencyCount residency_count() const { return resident_.count(); }
 
  private:
   std::shared_ptr<const ReplayShared> shared_;
   Machine& machine_;
-  ClusterStore store_;
+  RecordedClusters clusters_;
   BasicResidentClusters<RecordedCluster> resident_;
   CoarseSystem coarse_;
   int iteration_ = 0;

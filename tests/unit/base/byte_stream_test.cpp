@@ -10,16 +10,23 @@ namespace {
 
 struct Pair {
   std::int32_t a;
-  float b;
+  std::uint32_t b;
   bool operator==(const Pair&) const = default;
 };
+
+struct Padded {
+  std::uint32_t a;
+  std::uint64_t b;
+};
+static_assert(PlainValue<Pair> && PlainValue<double> && PlainValue<glm::dvec3>);
+static_assert(!PlainValue<Padded>, "its padding would be written");
 
 std::vector<std::byte> sample() {
   ByteWriter out;
   out.put_mark("mark");
   out.put(-7);
   out.put_text("a name");
-  out.put_all(std::vector<Pair>{{1, 0.5f}, {-2, 4.0f}});
+  out.put_all(std::vector<Pair>{{1, 5}, {-2, 4}});
   out.put_all<std::uint32_t>(std::vector<double>{1.5});
   out.put_all(std::vector<double>{});
   return out.take();
@@ -30,7 +37,7 @@ void read_sample(std::span<const std::byte> bytes) {
   in.expect("mark");
   EXPECT_EQ(in.get<int>(), -7);
   EXPECT_EQ(in.get_text(), "a name");
-  EXPECT_EQ(in.get_all<Pair>(), (std::vector<Pair>{{1, 0.5f}, {-2, 4.0f}}));
+  EXPECT_EQ(in.get_all<Pair>(), (std::vector<Pair>{{1, 5}, {-2, 4}}));
   EXPECT_EQ((in.get_all<double, std::uint32_t>()), std::vector<double>{1.5});
   EXPECT_TRUE(in.get_all<double>().empty());
   in.expect_end();

@@ -129,6 +129,35 @@ TEST(Gather, NoLightGivesNoWorkAndZero) {
   EXPECT_EQ(solved.states[0].patches().irradiance(0)[0], 0.0);
 }
 
+TEST(Gather, TellsWhetherTheLinksChanged) {
+  Scene scene = testing::box_room({0, 0, 0}, {3, 4, 2}, {0.5}, {1.0});
+  scene.lights.push_back({{1.5, 2, 1}, {0.0}});  // links to it are refined each time, to no effect
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  std::vector<ClusterState> states;
+  std::vector<ClusterId> all;
+  for (const Cluster& c : clusters) {
+    states.emplace_back(c, scene, Basis::linear);
+    all.push_back(c.id);
+  }
+  GatherConfig config;
+  config.refinement.link_tolerance = 0.01;
+  std::vector<int> changed(6, 0);
+  for (config.iteration = 1; config.iteration < 6; ++config.iteration) {
+    for (ClusterState& receiver : states) {
+      const LinkSet before = receiver.links();
+      const GatherResult result = gather(
+          receiver, all,
+          [&states](ClusterId id) -> const ClusterState& { return states[id.index()]; },
+          scene.lights, occluders, config);
+      EXPECT_EQ(result.links_changed, !(receiver.links() == before)) << config.iteration;
+      changed[static_cast<std::size_t>(config.iteration)] += result.links_changed ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed[1], 0);
+  EXPECT_EQ(changed[5], 0);
+}
+
 TEST(Gather, BandsShareTheirLinks) {
   const Spectrum rho(8, 0.5), exitance(8, 1.0);
   const Solved eight(testing::box_room({0, 0, 0}, {3, 4, 2}, rho, exitance), Basis::linear, 1e-3);

@@ -22,15 +22,21 @@ std::vector<std::byte> text(const std::string& s) {
   return {bytes.begin(), bytes.end()};
 }
 
-RecordCount sized(std::size_t bytes) {
-  RecordCount count;
-  count.bytes = bytes;
-  return count;
+SectionFile section(ClusterId id, Section which, const std::string& content) {
+  SectionFile file{{id, which, 0, Slot::a, {}}, text(content)};
+  file.info.count.bytes = content.size();
+  return file;
 }
 
 void write(ClusterStore& store, ClusterId id, const std::string& patches,
            const std::string& links = "") {
-  store.write(id, text(patches), sized(patches.size()), text(links), sized(links.size()));
+  std::vector<SectionFile> sections{section(id, Section::patches, patches)};
+  if (!links.empty()) sections.push_back(section(id, Section::links, links));
+  store.store_sections(std::move(sections));
+}
+
+std::vector<std::byte> read(ClusterStore& store, ClusterId id, Section which) {
+  return store.load_section({id, which}).bytes;
 }
 
 /// Two ranks that share a RUN with two clusters, after write_initial.
@@ -50,22 +56,22 @@ struct ClusterStoreTest : testing::Test {
 };
 
 TEST_F(ClusterStoreTest, BeginsWithTheStateBeforeTheFirstIteration) {
-  EXPECT_EQ(b.read_geometry(one).bytes, rooms.state(1).bytes_of(Section::geometry));
-  EXPECT_EQ(b.read_patches(one).bytes, rooms.state(1).bytes_of(Section::patches));
-  EXPECT_EQ(b.read_links(one).bytes, rooms.state(1).bytes_of(Section::links));
+  EXPECT_EQ(read(b, one, Section::geometry), rooms.state(1).bytes_of(Section::geometry));
+  EXPECT_EQ(read(b, one, Section::patches), rooms.state(1).bytes_of(Section::patches));
+  EXPECT_EQ(read(b, one, Section::links), rooms.state(1).bytes_of(Section::links));
 }
 
 TEST_F(ClusterStoreTest, OthersSeeAnIterationOnlyWhenItIsCommitted) {
   write(a, zero, "one", "links one");
-  EXPECT_EQ(a.read_patches(zero).bytes, text("one")) << "Gauss-Seidel within a rank";
-  EXPECT_EQ(a.read_links(zero).bytes, text("links one"));
+  EXPECT_EQ(read(a, zero, Section::patches), text("one")) << "Gauss-Seidel within a rank";
+  EXPECT_EQ(read(a, zero, Section::links), text("links one"));
   const auto before = rooms.state(0).bytes_of(Section::patches);
-  EXPECT_EQ(b.read_patches(zero).bytes, before) << "last iteration's values from the others";
+  EXPECT_EQ(read(b, zero, Section::patches), before) << "last iteration's values from the others";
   a.move_to_common();
-  EXPECT_EQ(b.read_patches(zero).bytes, before) << "moved, but not committed";
+  EXPECT_EQ(read(b, zero, Section::patches), before) << "moved, but not committed";
   commit(1);
-  EXPECT_EQ(b.read_patches(zero).bytes, text("one"));
-  EXPECT_EQ(b.read_links(zero).bytes, text("links one"));
+  EXPECT_EQ(read(b, zero, Section::patches), text("one"));
+  EXPECT_EQ(read(b, zero, Section::links), text("links one"));
 }
 
 TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhole) {
@@ -79,9 +85,9 @@ TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhol
   a.move_to_common();  // and then everything dies
   ClusterStore fresh(layout, Rank{1}, 2, machine);
   fresh.set_committed(1);
-  EXPECT_EQ(fresh.read_patches(zero).bytes, text("zero 1"));
-  EXPECT_EQ(fresh.read_links(zero).bytes, text("links zero 1"));
-  EXPECT_EQ(fresh.read_patches(one).bytes, text("one 1"));
+  EXPECT_EQ(read(fresh, zero, Section::patches), text("zero 1"));
+  EXPECT_EQ(read(fresh, zero, Section::links), text("links zero 1"));
+  EXPECT_EQ(read(fresh, one, Section::patches), text("one 1"));
   EXPECT_FALSE(std::filesystem::exists(RunLayout::patches(layout.local_of(Rank{1}), one, Slot::a)))
       << "what was never moved is gone";
 }
@@ -95,25 +101,25 @@ TEST_F(ClusterStoreTest, LinksThatDidNotChangeStayWhereTheyAre) {
     write(a, zero, "p" + std::to_string(iteration));
     a.move_to_common();
     commit(iteration);
-    EXPECT_EQ(b.read_patches(zero).bytes, text("p" + std::to_string(iteration)));
-    EXPECT_EQ(b.read_links(zero).bytes, text("links"));
+    EXPECT_EQ(read(b, zero, Section::patches), text("p" + std::to_string(iteration)));
+    EXPECT_EQ(read(b, zero, Section::links), text("links"));
   }
   EXPECT_EQ(machine.local_written - before, 4u * 2u);
 }
 
 TEST_F(ClusterStoreTest, AStolenClusterIsWrittenAndMovedByItsThief) {
-  b.read_patches(zero);
+  read(b, zero, Section::patches);
   write(b, zero, "by b", "links by b");
   b.move_to_common();
   commit(1);
-  EXPECT_EQ(a.read_patches(zero).bytes, text("by b"));
-  EXPECT_EQ(a.read_links(zero).bytes, text("links by b"));
+  EXPECT_EQ(read(a, zero, Section::patches), text("by b"));
+  EXPECT_EQ(read(a, zero, Section::links), text("links by b"));
 }
 
 TEST_F(ClusterStoreTest, CountsWhatItMoves) {
-  const std::uint64_t read = b.read_patches(one).bytes.size();
-  EXPECT_EQ(b.count().bytes_read, read);
-  EXPECT_EQ(machine.common_read, read);
+  const std::uint64_t bytes = read(b, one, Section::patches).size();
+  EXPECT_EQ(b.count().bytes_read, bytes);
+  EXPECT_EQ(machine.common_read, bytes);
   write(b, one, "12345", "123");
   EXPECT_EQ(b.count().bytes_written, 8u);
   EXPECT_EQ(machine.local_written, 8u);

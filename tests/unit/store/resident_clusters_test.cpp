@@ -10,6 +10,7 @@ namespace {
 
 using store_tests::CountingMachine;
 using store_tests::fresh_run;
+using store_tests::MemorySource;
 using store_tests::Rooms;
 
 ClusterId id(std::size_t i) { return ClusterId(i); }
@@ -46,7 +47,7 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
   ResidentClusters resident(store, machine, 0);
   resident.pin_receiver(id(0)).patches().radiosity(0)[0] = 42.0;
   resident.pin_shooter(id(1));
-  resident.write_receiver(id(0));
+  resident.write_receiver(id(0), false);
   resident.unpin();
   store.move_to_common();
   store.set_committed(1);
@@ -55,7 +56,7 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
   ClusterStore other(layout, Rank{1}, 6, elsewhere);
   ResidentClusters others(other, elsewhere, 0);
   others.pin_receiver(id(1)).patches().radiosity(0)[0] = 43.0;
-  others.write_receiver(id(1));
+  others.write_receiver(id(1), false);
   other.move_to_common();
 
   const std::uint64_t loads = resident.count().loads;
@@ -63,6 +64,43 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
   EXPECT_EQ(resident.count().loads, loads);
   EXPECT_EQ(resident.pin_shooter(id(1)).patches().radiosity(0)[0], 43.0);
   EXPECT_EQ(resident.count().loads, loads + 1);
+}
+
+TEST_F(ResidentClustersTest, LinksAreWrittenOnlyWhereTheGatherChangedThem) {
+  ResidentClusters resident(store, machine, 0);
+  const auto written_bytes = [&](bool links_changed) {
+    const std::uint64_t before = machine.local_written;
+    ClusterState& state = resident.pin_receiver(id(0));
+    state.links().add({}, std::vector<float>(state.links().stride(), 0.0f));
+    const WrittenReceiver written = resident.write_receiver(id(0), links_changed);
+    resident.unpin();
+    EXPECT_EQ(written.links.file_bytes > 0, links_changed);
+    EXPECT_EQ(written.patches.file_bytes + written.links.file_bytes,
+              machine.local_written - before);
+    return written.links.file_bytes;
+  };
+  EXPECT_EQ(written_bytes(false), 0u);
+  EXPECT_GT(written_bytes(true), 0u);
+}
+
+TEST(ResidentClusters, AreServedFromMemoryWithoutAnyBytes) {
+  const Rooms rooms(3);
+  CountingMachine machine;
+  MemorySource source(rooms, 3);
+  ResidentClusters resident(source, machine, 1);  // room for nothing
+  resident.set_jacobi(true);
+  ClusterState& receiver = resident.pin_receiver(id(0));
+  receiver.links().add({}, std::vector<float>(receiver.links().stride(), 0.0f));
+  receiver.patches().radiosity(0)[0] = 42.0;
+  const double committed = rooms.state(0).patches().radiosity(0)[0];
+  EXPECT_EQ(resident.write_receiver(id(0), true).patches.file_bytes, 0u);
+  EXPECT_EQ(resident.pin_shooter(id(0)).patches().radiosity(0)[0], committed);
+  resident.unpin();
+  resident.set_jacobi(false);
+  EXPECT_EQ(resident.pin_shooter(id(0)).patches().radiosity(0)[0], 42.0);
+  resident.unpin();
+  EXPECT_EQ(resident.pin_receiver(id(0)).links().size(), 1u);
+  EXPECT_EQ(machine.common_read + machine.local_written, 0u);
 }
 
 TEST_F(ResidentClustersTest, UnderPressureTheFarthestNextUseGoesFirst) {
@@ -89,7 +127,7 @@ TEST_F(ResidentClustersTest, WhatIsEvictedComesBackAsItWas) {
     ClusterState& state = resident.pin_receiver(id(i));
     state.patches().subdivide(0);
     state.patches().radiosity(0)[0] = 100.0 + static_cast<double>(i);
-    resident.write_receiver(id(i));
+    resident.write_receiver(id(i), false);
     resident.unpin();
     EXPECT_TRUE(resident.resident().empty());
   }

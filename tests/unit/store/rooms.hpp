@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "base/posix_file.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "machine/machine.hpp"
 #include "run/run_layout.hpp"
+#include "store/cluster_source.hpp"
 
 namespace enfilade::store_tests {
 
@@ -56,6 +59,42 @@ struct Rooms {
   ClusterState state(std::size_t i) const {
     return ClusterState(clusters[i], scene, Basis::constant);
   }
+};
+
+/// The rooms in memory: as committed, and as gathered for since.
+class MemorySource final : public ClusterSource<ClusterState> {
+ public:
+  MemorySource(const Rooms& rooms, std::size_t count) : newest_(count) {
+    for (std::size_t i = 0; i < count; ++i) committed_.push_back(rooms.state(i));
+  }
+  void set_committed(int iteration) override { iteration_ = iteration; }
+  int committed() const override { return iteration_; }
+  bool written(ClusterId id) const override { return newest_[id.index()].has_value(); }
+  std::unique_ptr<ClusterState> read_shooter(ClusterId id, Light light,
+                                             const ClusterState*) override {
+    return std::make_unique<ClusterState>(kept(id, light).shooter());
+  }
+  void read_links(ClusterState& cluster) override {
+    cluster.links() = kept(cluster.id(), Light::newest).links();
+  }
+  SectionBytes write(const ClusterState& cluster, bool) override {
+    newest_[cluster.id().index()] = cluster;
+    return {};
+  }
+  void move_to_common() override {
+    for (std::size_t i = 0; i < newest_.size(); ++i) {
+      if (newest_[i]) committed_[i] = *newest_[i];
+      newest_[i].reset();
+    }
+  }
+
+ private:
+  const ClusterState& kept(ClusterId id, Light light) const {
+    return light == Light::newest && written(id) ? *newest_[id.index()] : committed_[id.index()];
+  }
+  int iteration_ = 0;
+  std::vector<ClusterState> committed_;
+  std::vector<std::optional<ClusterState>> newest_;
 };
 
 inline RunLayout fresh_run(const std::string& name) {
