@@ -35,6 +35,10 @@ std::string solve_summary(const std::string& run_directory, const RunRecord& rec
 Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
                       int max_iterations);
 
+/// A warning that names the iterations whose coarse correction could not be solved.
+Warnings correction_failures(const std::string& run_directory,
+                             const std::vector<IterationSummary>& history);
+
 /// A value of a run record as people read it: counts with thousands, seconds, bytes, percent by the
 /// key's end.
 std::string shown_value(const std::string& key, const RunRecord::Value& value);

@@ -1,4 +1,4 @@
-// The parts of a cluster that the coarse system has an unknown each for (coarse_correction.hpp).
+// The parts of a cluster that the coarse system has an unknown each for (coarse_system.hpp).
 #pragma once
 
 #include <cstddef>

@@ -13,6 +13,7 @@ namespace enfilade {
 /// What the coarse system adds to the light of every cluster before the next iteration.
 struct Correction {
   std::vector<double> changes;  ///< as the ClusterWork understands them; empty = none
+  bool failed = false;          ///< the system could not be solved: there are no changes
   double missing_power =
       0.0;  ///< how much that is: an estimate of what the iterations still lacked
   /// Per band: what it adds to IterationFigures::absorbed_power and escaping_power.

@@ -19,7 +19,8 @@ Decision ConvergenceMonitor::decide(const IterationPlan& plan, const Token& toke
   summary.sums = figures_from(token.maxima, token.sums);
   summary.time_s = machine_.now_s() - start_s_;
   const Correction correction = coarse_correction_ ? work_.correct(token.coarse) : Correction{};
-  summary.corrected = coarse_correction_;
+  summary.corrected = coarse_correction_ && !correction.failed;
+  summary.correction_failed = correction.failed;
   summary.missing_power = correction.missing_power;
   for (std::size_t b = 0; b < correction.absorbed_power.size(); ++b) {
     summary.sums.absorbed_power[b] += correction.absorbed_power[b];

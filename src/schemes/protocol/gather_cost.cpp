@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST2";
+constexpr std::string_view mark = "ENFCOST3";
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const FoldedNumbers figures = to_numbers(cost.sums);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_unknowns.hpp"
 #include "solver/iteration_plan.hpp"
 #include "store/resident_clusters.hpp"
 

@@ -1,6 +1,7 @@
 #include "schemes/protocol/radiosity_work.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace enfilade {
 namespace {
@@ -129,7 +130,10 @@ std::vector<double> RadiosityWork::merge(std::span<const double> a,
 Correction RadiosityWork::correct(std::span<const double> coarse) const {
   const CoarseSystem system = CoarseSystem::from_numbers(coarse);
   Correction correction;
-  correction.changes = system.solve(unknowns_);
+  std::optional<std::vector<double>> changes = system.solve(unknowns_);
+  correction.failed = !changes;
+  if (!changes) return correction;
+  correction.changes = std::move(*changes);
   correction.missing_power = system.power(correction.changes);
   correction.absorbed_power = system.absorbed(correction.changes);
   correction.escaping_power = system.escaping(correction.changes);

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
+#include "gather/emitted_power.hpp"
 #include "occluders/unreachable_polygons.hpp"
 #include "run/history.hpp"
 #include "schemes/master/cell_dealer.hpp"
