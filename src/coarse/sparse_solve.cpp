@@ -8,8 +8,8 @@
 namespace enfilade {
 namespace {
 
-/// Relative to the right-hand side. LU of the coarse matrices, which are diagonally dominant by
-/// columns, leaves about 1e-15; more than this is a breakdown.
+/// Relative to the right-hand side. The LU factors of coarse matrices, which are diagonally
+/// dominant by columns, leave less than 1e-11; more than this is a breakdown.
 constexpr double largest_residual = 1e-8;
 
 }  // namespace

@@ -1,4 +1,8 @@
-// Sparse linear systems, by Eigen.
+// Sparse linear systems, solved by Eigen's SparseLU: a direct method, so that there is no tolerance
+// to choose and no failure to converge. The time is small beside that of an iteration's gathers:
+// with 124 to 528 unknowns of real scenes 0.1 to 20 ms, with 1,023 (the most that there can be) 50
+// ms where clusters are coupled by rooms and 0.5 s if each is coupled with each. Dense LU takes as
+// long at 124 unknowns and 6 times as long at 1,023.
 #pragma once
 
 #include <cstdint>

@@ -32,12 +32,6 @@ double largest_radiosity(const PatchForest& f, std::size_t k) {
   return largest;
 }
 
-Polygon corners_of(const PatchForest& f, std::size_t k, const PatchShape& shape) {
-  Polygon corners;
-  for (const Vec2& c : shape.vertices) corners.push_back(f.frames()[k].at(c));
-  return corners;
-}
-
 }  // namespace
 
 EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occluders& occluders)
@@ -62,7 +56,7 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
       const std::uint32_t number = occluders.global(c.id(), k);
       is_bright_[number] = largest > limit;
       (largest > limit ? bright_ : others_)
-          .push_back({number, &f, k, corners_of(f, k, f.node(k).shape), largest});
+          .push_back({number, &f, k, corners_of(f.frames()[k], f.node(k).shape), largest});
     }
   }
 }
@@ -73,7 +67,7 @@ void EmitterSampler::add_visible_part(const Vec3& p, const Vec3& n, std::uint32_
                                       const Emitter& b, const PatchShape& shape, double threshold,
                                       int depth, VisibleNode& sum) const {
   const PolygonFrame& frame = b.forest->frames()[b.k];
-  const double factor = point_to_polygon(p, n, corners_of(*b.forest, b.k, shape));
+  const double factor = point_to_polygon(p, n, corners_of(frame, shape));
   if (factor <= 0.0) return;
   int open = 0, rays = 0;
   const auto cast = [&](const Vec2& at) {

@@ -99,8 +99,8 @@ double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygo
 
 /// Adds share * (the radiosity that a ray finds less the control variate in its direction). Where a
 /// ray ends on a patch that is large for its distance (a gap below a cupboard, a corner), the
-/// patch's mean is not what is seen from here: the path goes on from the end with one random ray,
-/// and with direct light there, and so on.
+/// patch's mean is not the radiosity at the ray's end: the path goes on from the end with one
+/// random ray, and with direct light there, and so on.
 void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
                                  std::span<const double> weights,
                                  const EmitterSampler::ControlVariate& control, Random& random,

@@ -35,6 +35,12 @@ Slope slope_over(const PatchForest& forest, std::size_t node, const PatchShape& 
 
 }  // namespace
 
+Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape) {
+  Polygon corners;
+  for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
+  return corners;
+}
+
 bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
                         const PatchForest& forest, std::uint32_t polygon, double least,
                         std::vector<VisibleNode>& found) {

@@ -34,6 +34,9 @@ struct VisibleNode {
   }
 };
 
+/// The corners in space of a patch, or of a part of one.
+Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape);
+
 /// Finds visible nodes; keeps scratch memory between calls.
 class VisibleNodes {
  public:

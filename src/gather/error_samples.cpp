@@ -46,14 +46,6 @@ constexpr double least_bright_irradiance = 0.05;
 constexpr double emitter_rays = 0.25;
 constexpr int least_emitter_rays = 4, most_emitter_rays = 256;
 
-Polygon corners_of(const PatchForest& forest, std::uint32_t polygon) {
-  Polygon corners;
-  for (const Vec2& c : forest.node(polygon).shape.vertices) {
-    corners.push_back(forest.frames()[polygon].at(c));
-  }
-  return corners;
-}
-
 void add_bands(Spectrum& sum, const Spectrum& part) {
   if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
   for (std::size_t b = 0; b < part.size(); ++b) sum[b] += part[b];
@@ -194,7 +186,7 @@ double ErrorSamples::unoccluded_share(const PatchForest& forest, std::uint32_t p
   const double most = top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
   if (most <= 0.0 || glm::dot(frame.n, point.x - frame.origin) <= 0.0) return 0.0;
   ++work_->form_factors;
-  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) /
+  return most * point_to_polygon(point.x, point.n, corners_of(frame, forest.node(polygon).shape)) /
          reference_irradiance(point);
 }
 
@@ -237,7 +229,8 @@ void ErrorSamples::add_emitter(const ClusterState& shooter, std::uint32_t polygo
   const PatchForest& forest = shooter.patches();
   const PolygonFrame& frame = forest.frames()[polygon];
   const PatchShape& shape = forest.node(polygon).shape;
-  const double factor = point_to_polygon(point.x, point.n, corners_of(forest, polygon));
+  const double factor =
+      point_to_polygon(point.x, point.n, corners_of(frame, forest.node(polygon).shape));
   const double part = unoccluded_share(forest, polygon, point);
   const int rays = std::clamp(static_cast<int>(emitter_rays * config_.rays * part),
                               least_emitter_rays, most_emitter_rays);

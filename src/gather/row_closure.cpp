@@ -64,8 +64,8 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
     }
     return;
   }
-  // A link without any transport has no uncertainty here: the missing light comes from shooters
-  // that are seen.
+  // A link without any transport has no uncertainty here: the missing light comes from visible
+  // shooters.
   const std::size_t node = patches.find(link.receiver);
   const double per_m2 = transport[0] > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
   add(node, transport[0], per_m2 * link.error, light, per_m2 * link.variation * variation);

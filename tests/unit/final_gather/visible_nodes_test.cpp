@@ -47,7 +47,7 @@ TEST(VisibleNodes, AreAsFineAsTheLightVaries) {
   EXPECT_EQ(whole.size(), 1u);
   EXPECT_GT(some.size(), 1u);
   EXPECT_GT(all.size(), some.size());
-  // However it is cut, as much of the wall is seen; the screen hides a part.
+  // The visible factor does not depend on the nodes; the screen hides a part of the wall.
   EXPECT_NEAR(sum(some), sum(whole), 1e-9);
   EXPECT_NEAR(sum(all), sum(whole), 1e-9);
   const double bare = point_to_polygon(point, up, solved.clusters[wall].polygons[0].polygon);
