@@ -14,7 +14,8 @@ AggregateFlow::AggregateFlow(const PatchForest& receiver, const Aggregates& rece
   if (shooting.size() > 1) reflected_ = shooting.reflected_power(shooter);
 }
 
-/// A group's beam goes to its polygons by the cosine; what reaches a patch, to its parts by area.
+/// The irradiance of a group link goes to the group's polygons by cosine and area; the power that
+/// reaches a patch goes to the aggregates in it by area.
 void AggregateFlow::share_received(const Link& link, std::span<const float> transport) {
   received_.assign(receiving_.size(), 0.0);
   constexpr double whole = 1.0;
@@ -33,6 +34,8 @@ void AggregateFlow::share_received(const Link& link, std::span<const float> tran
   }
 }
 
+/// By the power that each aggregate of the shooter reflects, for want of anything better: a link
+/// only knows its shooter as a whole.
 void AggregateFlow::share_sent(PatchId node) {
   from_ = shooting_.of(shooter_, node);
   sent_.assign(from_.size() * bands_, 1.0);

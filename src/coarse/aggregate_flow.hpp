@@ -1,4 +1,5 @@
-// What a link means to the coarse system.
+// The power that flows by reflection from the aggregates of one cluster to those of another, summed
+// over links: entries of the coarse system.
 #pragma once
 
 #include <span>
@@ -10,14 +11,14 @@
 
 namespace enfilade {
 
-/// What flows by reflection from one shooting cluster's aggregates to the receiving one's.
+/// Sums the links from one shooting cluster to one receiving cluster.
 class AggregateFlow {
  public:
   /// All must outlive it.
   AggregateFlow(const PatchForest& receiver, const Aggregates& receiving,
                 const PatchForest& shooter, const Aggregates& shooting);
 
-  /// A link's power per band: what its shooter reflects, as it arrives.
+  /// Adds a link. `power`: reflected power per band that it brings to its receiver.
   void add(const Link& link, std::span<const float> transport, std::span<const double> power);
   /// [(receiving aggregate * shooting aggregates + shooting aggregate) * bands + band]
   std::vector<double> take() { return std::move(flow_); }
@@ -30,9 +31,10 @@ class AggregateFlow {
   const Aggregates &receiving_, &shooting_;
   std::size_t bands_;
   std::vector<double> reflected_;  ///< [shooting aggregate * bands + band]
-  std::vector<double> received_;   ///< share of the link at hand, by receiving aggregate
-  std::vector<double> sent_;       ///< and by shooting aggregate, per band
-  Aggregates::Range from_;         ///< shooting aggregates of the link at hand
+  // Of the link that is being added:
+  std::vector<double> received_;  ///< share of its power, by receiving aggregate
+  std::vector<double> sent_;      ///< share of its power, by shooting aggregate of `from_` and band
+  Aggregates::Range from_;        ///< its shooting aggregates
   std::vector<double> flow_;
 };
 

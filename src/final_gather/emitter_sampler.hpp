@@ -1,4 +1,4 @@
-// The polygons that a hemisphere of rays would find too seldom for what they give: lamps, windows.
+// Sampling of the polygons that rays would find too rarely for the light they give: lamps, windows.
 #pragma once
 
 #include <span>
@@ -11,60 +11,67 @@
 
 namespace enfilade {
 
-/// Those whose mean radiosity is over 8 times the mean of all surfaces (so none in a furnace).
-/// Their light at a point is had by closed form and visibility rays. Refers to what it is made of.
+/// A bright emitter is a polygon whose mean radiosity is over 8 times the mean of all surfaces (so
+/// that there is none in a furnace). Its light at a point comes from closed forms and visibility
+/// rays, never from a hemisphere of rays. Refers to the clusters and occluders that it is made of.
 class EmitterSampler {
  public:
   EmitterSampler(std::span<const ClusterState> clusters, const Occluders& occluders);
 
+  /// Is the polygon (global number) a bright emitter?
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
-  /// Adds to `irradiance` what all of them give at p, by their affine radiosities, and those of all
-  /// others that may give `least` of the light there (a share) and are hidden by few; of what an
-  /// affine function leaves out as much those of its parts. Exactly, but for bright ones that many
-  /// hide: these are looked at as closely as they matter. `own`: the polygon that p lies on. What
-  /// is added for a direction is what was counted there, else `ambient`: rays have to find the
-  /// rest.
+
+  /// A polygon whose light at a point is known: by the affine radiosities of its visible nodes.
   struct ControlledPolygon {
-    std::uint32_t polygon;
+    std::uint32_t polygon;  ///< global number
     std::vector<VisibleNode> nodes;
   };
+  /// The function of direction that is integrated at a point without rays: the affine radiosity of
+  /// a controlled polygon's node where that is seen, `ambient` elsewhere. Rays estimate the
+  /// integral of the true radiosity less this function (a control variate).
   struct ControlVariate {
     std::vector<ControlledPolygon> polygons;  ///< ascending
-    Spectrum ambient;                         ///< mean radiosity of those in view that were not
+    Spectrum ambient;                         ///< mean radiosity of the other polygons in view
     const ControlledPolygon* find(std::uint32_t polygon) const;
   };
-  ControlVariate add_largest(const Vec3& p, const Vec3& n, std::uint32_t own, double least,
-                             Spectrum& irradiance) const;
+  /// Makes the control variate at p (unit normal n, on polygon `own` or on none) and adds its
+  /// integral to `irradiance`. Controlled are all bright emitters, and the other polygons that may
+  /// give the share `least` of the light at p and have few occluders (VisibleNodes). The visible
+  /// part of a bright emitter behind many occluders is estimated by subdivision and rays.
+  ControlVariate add_control_variate(const Vec3& p, const Vec3& n, std::uint32_t own, double least,
+                                     Spectrum& irradiance) const;
 
-  /// How likely each is to be picked for points near p.
-  std::vector<double> weights_near(const Vec3& p) const;
-  /// Adds share * the irradiance that one of them gives at p, picked by `weights` (running sums),
-  /// by one ray; its mean over many picks is that of all.
-  void add_one(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> weights,
-               Random& random, std::span<const double> share, Spectrum& irradiance) const;
+  /// Running sums of the bright emitters' probabilities, not normalised, to be picked for points
+  /// near p.
+  std::vector<double> pick_weights(const Vec3& p) const;
+  /// Adds an estimate, by one ray, of share * the irradiance that all bright emitters give at p:
+  /// one of them is picked by `weights`. Unbiased for their mean radiosities.
+  void add_picked(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> weights,
+                  Random& random, std::span<const double> share, Spectrum& irradiance) const;
 
  private:
-  struct Bright {
+  struct Emitter {
     std::uint32_t polygon;  // global number
     const PatchForest* forest;
-    std::uint32_t k;
+    std::uint32_t k;  // number in the forest
     Polygon corners;
-    double top;  // mean radiosity, worst band
+    double largest_radiosity;  // mean over the polygon, of the largest band
     double radiosity(std::size_t band) const {
       return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
     }
   };
-  static std::vector<double> weights(const std::vector<Bright>& polygons, const Vec3& p,
-                                     const Vec3& n, std::uint32_t own);
-  Spectrum ambient(std::span<const double> weights, const ControlVariate& counted,
+  static std::vector<double> unoccluded(const std::vector<Emitter>& polygons, const Vec3& p,
+                                        const Vec3& n, std::uint32_t own);
+  Spectrum ambient(std::span<const double> unoccluded, const ControlVariate& control,
                    std::size_t bands) const;
-  void add_visible(const Vec3& p, const Vec3& n, std::uint32_t own, const Bright& b,
-                   const PatchShape& shape, double threshold, int depth, VisibleNode& sum) const;
+  void add_visible_part(const Vec3& p, const Vec3& n, std::uint32_t own, const Emitter& b,
+                        const PatchShape& shape, double threshold, int depth,
+                        VisibleNode& sum) const;
 
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;
-  std::vector<Bright> bright_, others_;
-  std::vector<bool> is_bright_;
+  std::vector<Emitter> bright_, others_;  // others_: all else that gives light
+  std::vector<bool> is_bright_;           // by global number
 };
 
 }  // namespace enfilade

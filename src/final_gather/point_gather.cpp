@@ -28,11 +28,25 @@ Spectrum mean_over(std::span<const ClusterState> clusters) {
   return mean;
 }
 
-/// Of a point's light. The less noise is asked for, the less is left to rays.
+/// Polygons that may give a smaller share of a point's light than this are left to the rays. The
+/// less noise is asked for, the smaller the share.
 double share_left_to_rays(const PointGatherConfig& config) {
-  const double least = config.least_noise();
-  return least > 0.0 ? std::clamp(least, 3e-4, 5e-3) : 5e-3;
+  constexpr double least_share = 3e-4, most_share = 5e-3;
+  const double noise = config.least_noise();
+  return noise > 0.0 ? std::clamp(noise, least_share, most_share) : most_share;
 }
+
+/// Error of the patches at which a patch's light is read off from one patch side away.
+constexpr double usual_patch_error = 0.02;
+/// Paths that carry less than this share of what they began with end by chance.
+constexpr double faint = 0.05;
+constexpr int most_bounces = 64;
+/// Sets of rays for one point, each of PointGatherConfig::rays.
+constexpr int most_ray_sets = 16;
+/// Noise below this share of the scene's mean irradiance does not matter.
+constexpr double unseen_noise = 1e-4;
+/// Of the ambient light: what is left after the control variate is added and subtracted again.
+constexpr double rounding = 1e-12;
 
 }  // namespace
 
@@ -41,19 +55,19 @@ struct PointGather::Impl {
   std::span<const PointLight> lights;
   const Occluders* occluders;
   PointGatherConfig config;
-  EmitterSampler bright;
+  EmitterSampler emitters;
   std::size_t bands;
   Spectrum mean_irradiance;
 
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      const EmitterSampler::ControlVariate& counted, Spectrum& e) const;
+                      const EmitterSampler::ControlVariate& control, Spectrum& e) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                    const EmitterSampler::ControlVariate& counted, std::span<const double> weights,
+                    const EmitterSampler::ControlVariate& control, std::span<const double> weights,
                     Spectrum& e) const;
   void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                std::span<const double> weights, const EmitterSampler::ControlVariate& counted,
+                std::span<const double> weights, const EmitterSampler::ControlVariate& control,
                 Random& random, Spectrum& e) const;
   double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
   std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
@@ -74,41 +88,41 @@ void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t o
   }
 }
 
-/// A patch's light, an average over all of it, does for a ray that comes from farther away than
-/// this: the side of the square of its area, or more where the patches are known to be worse than
-/// 2%, since what it is worth to know better costs noise.
+/// Distance from which a ray may read the light off the patch that it ends on, which is an average
+/// over the patch: the side of the square of its area. More where the patches' error is larger than
+/// usual, up to 4 times, since following the light on costs noise.
 double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygon,
                                 const Vec3& at) const {
   const double side_m = std::sqrt(patches.node(patches.leaf_at(polygon, at)).shape.area_m2);
-  return side_m * std::clamp(config.patch_error / 0.02, 1.0, 4.0);
+  return side_m * std::clamp(config.patch_error / usual_patch_error, 1.0, 4.0);
 }
 
-/// Adds share * what a ray brings. Where it ends near a patch, the patch's light is an average over
-/// more than what is seen from here (a gap below a cupboard, a corner);
-/// from such a point the light is sought again, with one ray at random, and so on. Only
-/// what differs from what is counted in that direction already.
+/// Adds share * (the radiosity that a ray finds less the control variate in its direction). Where a
+/// ray ends on a patch that is large for its distance (a gap below a cupboard, a corner), the
+/// patch's mean is not the radiosity at the ray's end: the path goes on from the end with one
+/// random ray, and with direct light there, and so on.
 void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
                                  std::span<const double> weights,
-                                 const EmitterSampler::ControlVariate& counted, Random& random,
+                                 const EmitterSampler::ControlVariate& control, Random& random,
                                  Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
-  for (int bounces = 0; bounces < 64; ++bounces) {
+  for (int bounces = 0; bounces < most_bounces; ++bounces) {
     const RayHit hit = occluders->rays().closest(from, direction, own, 1e30, RayStart::in_air);
     const bool ends = !hit.any() || !hit.front;
-    const auto* is_counted = bounces == 0 && !ends ? counted.find(hit.polygon) : nullptr;
-    for (std::size_t b = 0; b < bands && bounces == 0 && is_counted == nullptr; ++b) {
-      e[b] -= share * counted.ambient[b];
+    const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
+    for (std::size_t b = 0; b < bands && bounces == 0 && controlled == nullptr; ++b) {
+      e[b] -= share * control.ambient[b];
     }
-    if (ends || (bright.contains(hit.polygon) && is_counted == nullptr)) return;
+    if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     const Vec3 at = from + hit.distance_m * direction;
-    const VisibleNode* seen =
-        is_counted != nullptr ? node_around(is_counted->nodes, patches, ref.polygon, at) : nullptr;
-    for (std::size_t b = 0; b < bands && seen != nullptr; ++b) {
-      e[b] -= share * seen->radiosity(patches, b, at);
+    const VisibleNode* node =
+        controlled != nullptr ? node_around(controlled->nodes, patches, ref.polygon, at) : nullptr;
+    for (std::size_t b = 0; b < bands && node != nullptr; ++b) {
+      e[b] -= share * node->radiosity(patches, b, at);
     }
-    if (hit.distance_m > far_m(patches, ref.polygon, at) || bright.contains(hit.polygon)) {
+    if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
       return;
@@ -120,23 +134,24 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
       carried[b] *= frame.reflectance[b];
       most = std::max(most, carried[b]);
     }
-    // Faint paths end by lot, and those that go on stand for them (Arvo and Kirk 1990).
-    const double survival = std::min(1.0, most / (0.05 * share));
+    // Russian roulette (Arvo and Kirk 1990).
+    const double survival = std::min(1.0, most / (faint * share));
     if (random.uniform() >= survival) return;
     for (double& c : carried) c /= survival;
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
-    bright.add_one(from, frame.n, own, weights, random, carried, e);
+    emitters.add_picked(from, frame.n, own, weights, random, carried, e);
     add_lights(from, frame.n, own, carried, e);
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
 }
 
-/// Cosine-weighted rays, one in each stratum of the disc below the hemisphere (Nusselt). Returns
-/// the variance of what they bring, from the differences between neighbouring strata.
+/// Adds the mean of a set of cosine-weighted rays, one in each stratum of the disc below the
+/// hemisphere (Nusselt). Returns its variance per band, from the differences between neighbouring
+/// strata.
 Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                     Random& random, const EmitterSampler::ControlVariate& counted,
+                                     Random& random, const EmitterSampler::ControlVariate& control,
                                      std::span<const double> weights, Spectrum& e) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
@@ -145,7 +160,7 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
       std::fill(one.begin(), one.end(), 0.0);
-      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, counted, random,
+      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, control, random,
                one);
       for (std::size_t b = 0; b < bands; ++b) {
         e[b] += one[b];
@@ -154,39 +169,40 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
       before = one;
     }
   }
-  // A ray left over is taken for as noisy as the others; a single one for as noisy as can be.
+  // An odd ray is assumed to be as noisy as the pairs are. A single ray says nothing about noise.
   for (double& v : variance) {
     v = pairs > 0 ? v * side * side / (2.0 * pairs) : std::numeric_limits<double>::infinity();
   }
   return variance;
 }
 
-/// Everything else, by rays, and by more of them where there is much noise in what they bring.
+/// Adds the integral of radiosity less control variate over the hemisphere: the mean of several
+/// sets of rays, until the noise is low enough.
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
                                        Random& random,
-                                       const EmitterSampler::ControlVariate& counted,
+                                       const EmitterSampler::ControlVariate& control,
                                        Spectrum& e) const {
-  const std::vector<double> weights = bright.weights_near(p);
+  const std::vector<double> weights = emitters.pick_weights(p);
   Spectrum sum(bands, 0.0), variance(bands, 0.0);
   const double least = config.least_noise();
   bool noisy = true;
   int rounds = 0;
-  while (noisy && rounds < 16) {
-    const Spectrum more = add_rays(p, n, own, random, counted, weights, sum);
+  while (noisy && rounds < most_ray_sets) {
+    const Spectrum more = add_rays(p, n, own, random, control, weights, sum);
     ++rounds;
     noisy = false;
     for (std::size_t b = 0; b < bands; ++b) {
       variance[b] += more[b];
       const double light = e[b] + sum[b] / rounds;
-      noisy |= least > 0.0 &&
-               std::sqrt(variance[b]) / rounds > std::max(least * light, 1e-4 * mean_irradiance[b]);
+      noisy |= least > 0.0 && std::sqrt(variance[b]) / rounds >
+                                  std::max(least * light, unseen_noise * mean_irradiance[b]);
     }
   }
   for (std::size_t b = 0; b < bands; ++b) e[b] += sum[b] / rounds;
 }
 
-/// The polygon that p lies on with the same facing, within the rays' blind distance; else none. Of
-/// several in one place the lowest number.
+/// The polygon (global number, the lowest of several) that p lies on, to within the distance that
+/// rays skip at their start, and that faces the same way; else none.
 std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const {
   for (const std::uint32_t k : occluders->touching(p, 4.0 * occluders->rays().epsilon_m())) {
     if (glm::dot(normal(occluders->polygon(k)), n) > 0.999) return k;
@@ -194,8 +210,8 @@ std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const 
   return RayScene::no_polygon;
 }
 
-/// Off the surface and off walls that stand up beside it, so that a corner's walls stay on their
-/// side: in a corner the light is what it is just before it.
+/// p moved off its surface, and off the walls that rise beside it: at the edge of a floor the
+/// point would else lie behind the wall, where it is dark.
 Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
   const double step_m = 2.0 * occluders->rays().epsilon_m();
   const Vec3 above = p + step_m * n;
@@ -205,7 +221,7 @@ Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
     const bool rises = std::any_of(
         wall.begin(), wall.end(), [&](const Vec3& v) { return glm::dot(n, v - p) > 4.0 * step_m; });
     const Plane plane = plane_of(wall);
-    // Between walls back to back there is no telling which side is meant: the first in the file's.
+    // Between two walls back to back either side may be meant: that of the first in the file.
     const bool opposed = std::any_of(away.begin(), away.end(),
                                      [&](const Vec3& o) { return glm::dot(plane.n, o) < -0.999; });
     if (rises && !opposed && plane.signed_distance(above) < step_m) away.push_back(plane.n);
@@ -228,18 +244,17 @@ PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const
 PointGather::~PointGather() = default;
 
 Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
-  // The same point gives the same answer, whichever points were asked before it.
+  // Seeded for each point: the answer does not depend on the points before it.
   Random random(impl_->config.seed);
   Spectrum e(impl_->bands, 0.0);
   const std::uint32_t own = impl_->surface_at(p, n);
   const Vec3 x = impl_->lifted(p, n);
-  const EmitterSampler::ControlVariate counted =
-      impl_->bright.add_largest(x, n, own, share_left_to_rays(impl_->config), e);
+  const EmitterSampler::ControlVariate control =
+      impl_->emitters.add_control_variate(x, n, own, share_left_to_rays(impl_->config), e);
   impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
-  impl_->add_hemisphere(x, n, own, random, counted, e);
-  // What is counted at first and taken away ray by ray leaves its rounding behind.
+  impl_->add_hemisphere(x, n, own, random, control, e);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
-    if (e[b] < 1e-12 * counted.ambient[b]) e[b] = 0.0;
+    if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
   }
   return e;
 }

@@ -8,15 +8,18 @@
 namespace enfilade {
 namespace {
 
-/// Up to so many are cut away exactly.
+/// Up to so many occluders are cut out of the polygon exactly.
 constexpr std::size_t most_occluders = 16;
-/// How much closer what rays will not mend is looked at.
-constexpr double closer = 1.0 / 64.0;
-constexpr int most_cuts = 10;
+/// Of `least`: how much irradiance the slope of a visible part may be wrong by. No rays correct
+/// this error, as they correct the deviation from the affine function.
+constexpr double cut_tolerance = 1.0 / 64.0;
+constexpr int most_cuts = 10;  ///< of a visible part
+/// Share of that error below which a part is taken as a whole, without extrapolation.
+constexpr double negligible = 1e-3;
 
 struct Slope {
-  Vec2 along{0.0};   ///< of radiosity, a metre; of the band where it matters most
-  double rms = 0.0;  ///< by which that varies over the shape
+  Vec2 along{0.0};   ///< gradient of radiosity per metre, of the band where it varies most
+  double rms = 0.0;  ///< RMS variation over the shape by this gradient
 };
 
 Slope slope_over(const PatchForest& forest, std::size_t node, const PatchShape& shape) {
@@ -32,7 +35,13 @@ Slope slope_over(const PatchForest& forest, std::size_t node, const PatchShape& 
 
 }  // namespace
 
-bool VisibleNodes::look(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
+Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape) {
+  Polygon corners;
+  for (const Vec2& c : shape.vertices) corners.push_back(frame.at(c));
+  return corners;
+}
+
+bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
                         const PatchForest& forest, std::uint32_t polygon, double least,
                         std::vector<VisibleNode>& found) {
   found.clear();
@@ -42,7 +51,7 @@ bool VisibleNodes::look(const Vec3& p, const Vec3& n, std::uint32_t own, Cluster
   }
   if (!occluders_->find_between({p}, corners_, own, occluders_->global(shooter, polygon),
                                 most_occluders, between_) ||
-      !look_at(p, n, forest, polygon, least, found)) {
+      !find_below(p, n, forest, polygon, least, found)) {
     found.clear();
     return false;
   }
@@ -51,8 +60,8 @@ bool VisibleNodes::look(const Vec3& p, const Vec3& n, std::uint32_t own, Cluster
   return true;
 }
 
-bool VisibleNodes::look_at(const Vec3& p, const Vec3& n, const PatchForest& forest,
-                           std::size_t node, double least, std::vector<VisibleNode>& found) {
+bool VisibleNodes::find_below(const Vec3& p, const Vec3& n, const PatchForest& forest,
+                              std::size_t node, double least, std::vector<VisibleNode>& found) {
   const PatchNode& at = forest.node(node);
   const PolygonFrame& frame = forest.frames()[at.id.root];
   corners_.clear();
@@ -61,26 +70,26 @@ bool VisibleNodes::look_at(const Vec3& p, const Vec3& n, const PatchForest& fore
   if (whole <= 0.0) return true;
   if (!at.leaf() && whole * forest.deviation(node) > least) {
     const auto child = static_cast<std::size_t>(at.first_child);
-    return look_at(p, n, forest, child, least, found) &&
-           look_at(p, n, forest, child + 1, least, found);
+    return find_below(p, n, forest, child, least, found) &&
+           find_below(p, n, forest, child + 1, least, found);
   }
   parts_.begin(p, corners_, occluders_->tolerance_m());
   for (const std::uint32_t occluder : between_) {
     if (!parts_.hide(occluders_->polygon(occluder))) return false;
   }
-  VisibleNode seen{static_cast<std::uint32_t>(node)};
+  VisibleNode visible{static_cast<std::uint32_t>(node)};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     PatchOutline outline;
     for (const Vec3& corner : parts_[i]) outline.push_back(frame.project(corner));
-    add_part(p, n, forest, PatchShape::from(outline), closer * least, most_cuts, seen);
+    add_part(p, n, forest, PatchShape::from(outline), cut_tolerance * least, most_cuts, visible);
   }
-  found.push_back(seen);
+  found.push_back(visible);
   return true;
 }
 
-/// Cut across the slope until what that brings, were all of the part at its centroid, is below
-/// `least`; then from such a part and its halves to what ever finer ones would come to
-/// (Richardson).
+/// Adds a visible part's factor and first moment. A part counts as a point at its centroid; it is
+/// cut across the slope until its factor times the slope's variation is below `least`. The moments
+/// of such a part and of its halves are extrapolated to those of ever smaller ones (Richardson).
 void VisibleNodes::add_part(const Vec3& p, const Vec3& n, const PatchForest& forest,
                             const PatchShape& shape, double least, int cuts, VisibleNode& sum) {
   const PatchNode& at = forest.node(sum.node);
@@ -94,7 +103,7 @@ void VisibleNodes::add_part(const Vec3& p, const Vec3& n, const PatchForest& for
   if (whole <= 0.0) return;
   const Slope slope = slope_over(forest, sum.node, shape);
   const Vec2 shift = shape.centroid - at.shape.centroid;
-  if (whole * slope.rms <= 1e-3 * least) return sum.add(whole, shift);
+  if (whole * slope.rms <= negligible * least) return sum.add(whole, shift);
   const Vec2 axis = glm::normalize(slope.along);
   const auto [below, above] = shape.halves({axis, glm::dot(axis, shape.centroid)});
   if (whole * slope.rms > least && cuts > 0) {

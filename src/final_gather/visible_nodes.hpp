@@ -1,5 +1,5 @@
-// What a point sees of a polygon past what few others hide, in closed form: as fine as its light
-// varies.
+// The part of a polygon that a point sees past a few occluders, in closed form, in nodes of its
+// hierarchy that are as fine as its light varies.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 namespace enfilade {
 
 /// A node of the polygon's hierarchy, its visible form factor, and the factor's first moment about
-/// the node's centroid, along the polygon's axes, metres. Nodes cover what is in view of the
-/// polygon, each once.
+/// the node's centroid, along the polygon's axes, metres. The nodes of a polygon do not overlap,
+/// and cover its visible part.
 struct VisibleNode {
   std::uint32_t node;
   double factor = 0.0;
@@ -22,11 +22,11 @@ struct VisibleNode {
     factor += part;
     moment += part * shift;
   }
-  /// What the node's own affine function of radiosity brings.
+  /// Irradiance by the node's own affine function of radiosity.
   double irradiance(const PatchForest& forest, std::size_t band) const {
     return factor > 0.0 ? factor * forest.radiosity_at(node, band, moment / factor) : 0.0;
   }
-  /// That function at point y of the polygon's plane.
+  /// The node's own affine function of radiosity at point y of the polygon's plane.
   double radiosity(const PatchForest& forest, std::size_t band, const Vec3& y) const {
     const PatchNode& at = forest.node(node);
     return forest.radiosity_at(node, band,
@@ -34,21 +34,25 @@ struct VisibleNode {
   }
 };
 
-/// Looks from points at polygons; keeps scratch memory between calls.
+/// The corners in space of a patch, or of a part of one.
+Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape);
+
+/// Finds visible nodes; keeps scratch memory between calls.
 class VisibleNodes {
  public:
   explicit VisibleNodes(const Occluders& occluders) : occluders_(&occluders) {}
 
-  /// From p (unit normal n, on polygon `own` or on none) at `polygon` of `shooter`, as far down as
-  /// what a node's affine function leaves out may bring more than `least` of irradiance. Replaces
-  /// `found`, ascending by node; false where too much stands between.
-  bool look(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
+  /// Replaces `found` by the nodes of `polygon` of `shooter` that p sees (unit normal n, on polygon
+  /// `own` or on none), ascending by node. A node is replaced by its children where the deviation
+  /// from its affine function may bring more than `least` of irradiance. Returns false, and no
+  /// nodes, where too many polygons stand between.
+  bool find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
             const PatchForest& forest, std::uint32_t polygon, double least,
             std::vector<VisibleNode>& found);
 
  private:
-  bool look_at(const Vec3& p, const Vec3& n, const PatchForest& forest, std::size_t node,
-               double least, std::vector<VisibleNode>& found);
+  bool find_below(const Vec3& p, const Vec3& n, const PatchForest& forest, std::size_t node,
+                  double least, std::vector<VisibleNode>& found);
   void add_part(const Vec3& p, const Vec3& n, const PatchForest& forest, const PatchShape& shape,
                 double least, int cuts, VisibleNode& sum);
 
@@ -58,7 +62,7 @@ class VisibleNodes {
   Polygon corners_;
 };
 
-/// The one of `nodes` (ascending) that point y of the polygon lies in; null for none.
+/// Returns the one of `nodes` (ascending) that point y of the polygon lies in; null for none.
 const VisibleNode* node_around(std::span<const VisibleNode> nodes, const PatchForest& forest,
                                std::uint32_t polygon, const Vec3& y);
 

@@ -9,26 +9,30 @@
 namespace enfilade {
 namespace {
 
+/// Uniformly distributed over a convex shape: r1 picks the triangle of its fan; the rest of r1, and
+/// r2, the place in the triangle.
 Vec2 point_in(const PatchShape& shape, double r1, double r2) {
   return uniform_point({shape.vertices.data(), shape.vertices.size()}, shape.area_m2, r1, r2);
 }
 
+/// The mean value of the largest band.
 double top(std::span<const double> light, std::size_t terms) {
   double most = 0.0;
   for (std::size_t i = 0; i < light.size(); i += terms) most = std::max(most, light[i]);
   return most;
 }
 
-/// What may bring less than this share of a point's light is left to the rays.
+/// Polygons that may bring a smaller share of a point's light than this are left to the rays.
 constexpr double least_share = 5e-3;
-
-Polygon corners_of(const PatchForest& forest, std::uint32_t polygon) {
-  Polygon corners;
-  for (const Vec2& c : forest.node(polygon).shape.vertices) {
-    corners.push_back(forest.frames()[polygon].at(c));
-  }
-  return corners;
-}
+/// The same for bright emitters.
+constexpr double least_bright_share = 1e-6;
+/// Least ratio of a bright emitter's radiosity to the irradiance at a point; and the same a ray.
+constexpr double bright_ratio = 4.0, bright_ratio_per_ray = 0.01;
+/// The irradiance in that ratio is at least this share of the scene's mean.
+constexpr double least_bright_irradiance = 0.05;
+/// Rays to a bright emitter: so many of a point's rays times its share of the light, within limits.
+constexpr double emitter_rays = 0.25;
+constexpr int least_emitter_rays = 4, most_emitter_rays = 256;
 
 void add_bands(Spectrum& sum, const Spectrum& part) {
   if (sum.size() < part.size()) sum.resize(part.size(), 0.0);
@@ -52,14 +56,14 @@ ErrorSamples::ErrorSamples(const ClusterState& receiver, const Occluders& occlud
       receiver_(receiver.id()),
       bands_(static_cast<std::size_t>(receiver.bands())),
       random_(0x5EED0000u + receiver.id().value),
-      seen_(occluders) {
+      visible_nodes_(occluders) {
   if (config_.rays <= 0) return;
   place(receiver);
   cast_rays();
 }
 
-/// Systematic sampling along the leaves: a point wherever the running sum of expected points passes
-/// a whole number plus the cluster's own offset.
+/// Systematic sampling: a point in a leaf wherever the running sum of the expected numbers of
+/// points passes a whole number plus the cluster's random offset.
 void ErrorSamples::place(const ClusterState& receiver) {
   const PatchForest& patches = receiver.patches();
   const auto terms = static_cast<std::size_t>(patches.terms());
@@ -80,15 +84,15 @@ void ErrorSamples::place(const ClusterState& receiver) {
                   {},
                   {}};
       point.light.fill(Spectrum(bands_, 0.0));
-      point.left_to_rays.resize(bands_, 0.0);
-      point.met_by_rays.resize(bands_, 0.0);
+      point.uncontrolled_light.resize(bands_, 0.0);
+      point.ray_light.resize(bands_, 0.0);
       point.x += 2.0 * occluders_->rays().epsilon_m() * frame.n;
       points_.push_back(std::move(point));
     }
   }
 }
 
-/// Two sets of rays, each stratified over the hemisphere.
+/// Casts two sets of rays from each point, each stratified over the hemisphere.
 void ErrorSamples::cast_rays() {
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(0.5 * config_.rays))));
   config_.rays = 2 * side * side;
@@ -112,15 +116,16 @@ void ErrorSamples::cast_rays() {
   });
 }
 
-/// One ray that meets it would bring too large a share of the point's light to leave it to luck.
+/// A bright emitter: one ray that meets it would bring too large a share of the point's light.
 bool ErrorSamples::is_bright(const PatchForest& forest, std::size_t polygon,
                              const Point& point) const {
-  const double least = std::max(point.irradiance, 0.05 * config_.mean_irradiance);
+  const double least =
+      std::max(point.irradiance, least_bright_irradiance * config_.mean_irradiance);
   return top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms())) >
-         std::max(4.0, 0.01 * config_.rays) * least;
+         std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
 }
 
-void ErrorSamples::from(const PointLight& light) {
+void ErrorSamples::add(const PointLight& light) {
   for (Point& point : points_) {
     const Vec3 d = light.p - point.x;
     const double r2 = glm::dot(d, d), cosine = glm::dot(d, point.n);
@@ -136,9 +141,9 @@ void ErrorSamples::from(const PointLight& light) {
   }
 }
 
-void ErrorSamples::from(const ClusterState& shooter) {
+void ErrorSamples::add(const ClusterState& shooter) {
   if (points_.empty()) return;
-  for (Point& point : points_) count_nodes(shooter, point);
+  for (Point& point : points_) add_closed_forms(shooter, point);
   const PatchForest& forest = shooter.patches();
   const auto less = [](const Hit& hit, ClusterId id) { return hit.polygon.cluster < id; };
   std::vector<double> radiosity(bands_);
@@ -147,70 +152,76 @@ void ErrorSamples::from(const ClusterState& shooter) {
        hit != hits_.end() && hit->polygon.cluster == shooter.id(); ++hit) {
     Point& point = points_[hit->point];
     const std::uint32_t k = hit->polygon.polygon;
-    const VisibleNode* counted = node_around(point.counted, forest, k, hit->y);
+    const VisibleNode* node = node_around(point.controlled, forest, k, hit->y);
     const bool bright = is_bright(forest, k, point);
-    if (counted == nullptr && bright) continue;
+    if (node == nullptr && bright) continue;
     forest.evaluate(true, k, hit->y, radiosity);
     const auto half = static_cast<std::size_t>(hit->half);
-    if (counted != nullptr) point.counted_rays[half] += share;
+    if (node != nullptr) point.controlled_rays[half] += share;
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double had = counted != nullptr ? counted->radiosity(forest, b, hit->y) : 0.0;
+      const double had = node != nullptr ? node->radiosity(forest, b, hit->y) : 0.0;
       point.light[half][b] += share * (radiosity[b] - had);
-      if (counted == nullptr) point.left_to_rays[b] += share * radiosity[b];
-      if (!bright) point.met_by_rays[b] += share * radiosity[b];
+      if (node == nullptr) point.uncontrolled_light[b] += share * radiosity[b];
+      if (!bright) point.ray_light[b] += share * radiosity[b];
     }
   }
 }
 
-/// What a polygon would bring at most if nothing hid it, as a share of the point's light.
-double ErrorSamples::share_of(const PatchForest& forest, std::uint32_t polygon,
-                              const Point& point) const {
+/// The most that a polygon would bring if nothing hid it, as a share of the point's light.
+double ErrorSamples::unoccluded_share(const PatchForest& forest, std::uint32_t polygon,
+                                      const Point& point) const {
   const PolygonFrame& frame = forest.frames()[polygon];
   const double most = top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms()));
   if (most <= 0.0 || glm::dot(frame.n, point.x - frame.origin) <= 0.0) return 0.0;
   ++work_->form_factors;
-  return most * point_to_polygon(point.x, point.n, corners_of(forest, polygon)) / light_at(point);
+  return most * point_to_polygon(point.x, point.n, corners_of(frame, forest.node(polygon).shape)) /
+         reference_irradiance(point);
 }
 
-/// Closed forms of all that matters and is hidden by few, so that rays have only to find what
-/// differs from the nodes' affine radiosities; of bright ones behind many, rays to them.
-void ErrorSamples::count_nodes(const ClusterState& shooter, Point& point) {
+/// Adds the light of all polygons that matter, in closed form where few occluders hide them, so
+/// that rays only estimate the difference from the nodes' affine radiosities (a control variate);
+/// bright emitters behind many occluders get rays of their own.
+void ErrorSamples::add_closed_forms(const ClusterState& shooter, Point& point) {
   const PatchForest& forest = shooter.patches();
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   std::vector<VisibleNode> nodes;
-  point.counted.clear();
+  point.controlled.clear();
   for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
     const bool bright = is_bright(forest, k, point);
     if (occluders_->global(shooter.id(), k) == own ||
-        share_of(forest, k, point) <= (bright ? 1e-6 : least_share)) {
+        unoccluded_share(forest, k, point) <= (bright ? least_bright_share : least_share)) {
       continue;
     }
-    if (seen_.look(point.x, point.n, own, shooter.id(), forest, k, least_share * light_at(point),
-                   nodes)) {
-      point.counted.insert(point.counted.end(), nodes.begin(), nodes.end());
+    if (visible_nodes_.find(point.x, point.n, own, shooter.id(), forest, k,
+                            least_share * reference_irradiance(point), nodes)) {
+      point.controlled.insert(point.controlled.end(), nodes.begin(), nodes.end());
     } else if (bright) {
-      from_bright(shooter, k, point);
+      add_emitter(shooter, k, point);
     }
   }
-  std::sort(point.counted.begin(), point.counted.end(),
+  std::sort(point.controlled.begin(), point.controlled.end(),
             [](const VisibleNode& a, const VisibleNode& b) { return a.node < b.node; });
-  work_->form_factors += point.counted.size();
-  for (const VisibleNode& seen : point.counted) {
-    point.counted_factor += seen.factor;
+  work_->form_factors += point.controlled.size();
+  for (const VisibleNode& node : point.controlled) {
+    point.controlled_factor += node.factor;
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b) half[b] += seen.irradiance(forest, b);
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += node.irradiance(forest, b);
     }
   }
 }
 
-/// The closed form, times the share that rays find open: more of them the more it gives.
-void ErrorSamples::from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point) {
+/// Adds the polygon's light: its form factor in closed form, times the visible share of the kernel,
+/// which is estimated by more rays the more light is at stake. The rays' places follow a golden
+/// ratio sequence (R1).
+void ErrorSamples::add_emitter(const ClusterState& shooter, std::uint32_t polygon, Point& point) {
   const PatchForest& forest = shooter.patches();
   const PolygonFrame& frame = forest.frames()[polygon];
   const PatchShape& shape = forest.node(polygon).shape;
-  const double factor = point_to_polygon(point.x, point.n, corners_of(forest, polygon));
-  const double part = share_of(forest, polygon, point);
-  const int rays = std::clamp(static_cast<int>(0.25 * config_.rays * part), 4, 256);
+  const double factor =
+      point_to_polygon(point.x, point.n, corners_of(frame, forest.node(polygon).shape));
+  const double part = unoccluded_share(forest, polygon, point);
+  const int rays = std::clamp(static_cast<int>(emitter_rays * config_.rays * part),
+                              least_emitter_rays, most_emitter_rays);
   const std::uint32_t own = occluders_->global(receiver_, point.polygon);
   const std::uint32_t skip = occluders_->global(shooter.id(), polygon);
   std::vector<double> radiosity(bands_);
@@ -236,15 +247,16 @@ void ErrorSamples::from_bright(const ClusterState& shooter, std::uint32_t polygo
   }
 }
 
-/// What was counted takes up a known part of the hemisphere: how many rays met the rest by luck is
-/// made up for by the mean of what they brought; with one ray's weight, for there may be none, by
-/// that of all.
-double ErrorSamples::light_of(const Point& point, std::size_t half, std::size_t band) const {
+/// The controlled nodes fill a known part of the hemisphere (controlled_factor), and the share of
+/// rays that met them differs from it by chance. So the other directions got too few or too many
+/// rays: this is corrected by the mean radiosity that rays found there; with the weight of one ray,
+/// as there may be none, by the mean over all rays.
+double ErrorSamples::irradiance_of(const Point& point, std::size_t half, std::size_t band) const {
   const double ray = 2.0 / config_.rays;
-  const double others = 2.0 - point.counted_rays[0] - point.counted_rays[1];
+  const double others = 2.0 - point.controlled_rays[0] - point.controlled_rays[1];
   const double mean =
-      (point.left_to_rays[band] + 0.5 * ray * point.met_by_rays[band]) / (others + ray);
-  return point.light[half][band] + mean * (point.counted_rays[half] - point.counted_factor);
+      (point.uncontrolled_light[band] + 0.5 * ray * point.ray_light[band]) / (others + ray);
+  return point.light[half][band] + mean * (point.controlled_rays[half] - point.controlled_factor);
 }
 
 ErrorSampleSums ErrorSamples::compare(const ClusterState& receiver) const {
@@ -254,7 +266,7 @@ ErrorSampleSums ErrorSamples::compare(const ClusterState& receiver) const {
   for (const Point& point : points_) {
     receiver.patches().evaluate(false, point.polygon, point.x, has);
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double first = light_of(point, 0, b), second = light_of(point, 1, b);
+      const double first = irradiance_of(point, 0, b), second = irradiance_of(point, 1, b);
       const double mean = 0.5 * (first + second);
       sums.light[b] += point.area_m2 * mean;
       sums.surplus[b] += point.area_m2 * (mean - has[b]);

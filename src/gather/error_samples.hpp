@@ -1,6 +1,7 @@
-// A second opinion on the light of a cluster: gathered anew at sampled points, by closed forms and
-// rays that the links had no part in. What it differs by is the residual, the one part of the
-// error that can be seen without knowing the answer (Lischinski, Smits, Greenberg 1994).
+// A-posteriori error samples: the irradiance at sampled points of a cluster, gathered anew by
+// closed forms and rays, independently of the links. Its difference from the patches' irradiance is
+// the residual, the one part of the error that can be measured without knowing the exact solution
+// (Lischinski, Smits, Greenberg 1994).
 #pragma once
 
 #include <algorithm>
@@ -17,49 +18,51 @@
 namespace enfilade {
 
 struct ErrorSampleConfig {
-  int rays = 0;  ///< a point, in two independent halves; 0 = no points
-  /// Points lie densest where much light arrives: points a m2, and a unit of power (area times
-  /// irradiance, worst band).
+  int rays = 0;  ///< for each point, in two independent halves; 0 = no points
+  /// Points per m2, plus points per unit of power (area times irradiance, largest band): they lie
+  /// densest where much light arrives.
   double per_area = 0.0, per_power = 0.0;
-  double mean_irradiance = 0.0;  ///< of the whole scene; what darkness is relative to
+  double mean_irradiance = 0.0;  ///< of the whole scene: a point's light is judged against it
 };
 
 /// Sums over points of the area that each stands for, times irradiance; per band.
 struct ErrorSampleSums {
-  Spectrum light;    ///< what the points receive
-  Spectrum surplus;  ///< that less what the patches have there, with its sign
-  Spectrum off;      ///< the same without
-  Spectrum noise;    ///< share of `off` that is the sampling's own: what its two halves differ by
+  Spectrum light;    ///< irradiance of the points
+  Spectrum surplus;  ///< irradiance of the points less that of the patches
+  Spectrum off;      ///< the absolute value of this difference
+  Spectrum noise;    ///< the part of `off` due to sampling: half the difference of the two halves
 };
-/// Adds a part (a cluster's, a rank's).
+/// Adds the sums of a part (a cluster, a rank).
 void add(ErrorSampleSums& sums, const ErrorSampleSums& part);
 
-/// Points on one receiving cluster, fed with one shooting cluster after the other.
+/// Points on one receiving cluster, which get the light of one shooting cluster after the other.
 class ErrorSamples {
  public:
   ErrorSamples(const ClusterState& receiver, const Occluders& occluders,
                const ErrorSampleConfig& config, WorkCount& work);
 
-  /// Adds what the points get from a light.
-  void from(const PointLight& light);
-  /// Adds what they get from a cluster, at most once each.
-  void from(const ClusterState& shooter);
-  /// Holds what has come in against the irradiance of the receiver's patches.
+  /// Adds the irradiance of the points by a light.
+  void add(const PointLight& light);
+  /// Adds the irradiance of the points by a cluster; each cluster may be added once.
+  void add(const ClusterState& shooter);
+  /// Compares the points' irradiance with that of the receiver's patches.
   ErrorSampleSums compare(const ClusterState& receiver) const;
 
  private:
+  static constexpr double least_irradiance = 1e-3;  ///< of the scene's mean: below it all is dark
+
   struct Point {
     std::uint32_t polygon;
     Vec3 x, n;
-    double area_m2;     ///< that it stands for
-    double irradiance;  ///< on the patches, before; worst band
-    std::array<Spectrum, 2> light;
-    std::vector<VisibleNode> counted;      ///< of the shooter at hand: what they bring is in light
-    double counted_factor = 0.0;           ///< of all shooters: form factors
-    std::array<double, 2> counted_rays{};  ///< and the share of the rays that met what was counted
-    /// What rays brought, sum of both halves: those that met nothing counted, and all that met
-    /// nothing bright.
-    Spectrum left_to_rays{}, met_by_rays{};
+    double area_m2;                       ///< area that it stands for
+    double irradiance;                    ///< of the patch there, before this gather; largest band
+    std::array<Spectrum, 2> light;        ///< irradiance so far, by both halves of the rays
+    std::vector<VisibleNode> controlled;  ///< nodes of the present shooter that are in closed form
+    double controlled_factor = 0.0;       ///< of all shooters: sum of their form factors
+    std::array<double, 2> controlled_rays{};  ///< share of the rays of a half that met such nodes
+    /// Radiosity times share of the rays, sum of both halves: of the rays that met no such node,
+    /// and of all rays that met no bright emitter.
+    Spectrum uncontrolled_light{}, ray_light{};
   };
   struct Hit {
     PolygonRef polygon;
@@ -69,14 +72,16 @@ class ErrorSamples {
   };
   void place(const ClusterState& receiver);
   void cast_rays();
-  double light_at(const Point& point) const {
-    return std::max(point.irradiance, 1e-3 * config_.mean_irradiance);
+  /// Irradiance that contributions are judged against.
+  double reference_irradiance(const Point& point) const {
+    return std::max(point.irradiance, least_irradiance * config_.mean_irradiance);
   }
-  double share_of(const PatchForest& forest, std::uint32_t polygon, const Point& point) const;
+  double unoccluded_share(const PatchForest& forest, std::uint32_t polygon,
+                          const Point& point) const;
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
-  void count_nodes(const ClusterState& shooter, Point& point);
-  void from_bright(const ClusterState& shooter, std::uint32_t polygon, Point& point);
-  double light_of(const Point& point, std::size_t half, std::size_t band) const;
+  void add_closed_forms(const ClusterState& shooter, Point& point);
+  void add_emitter(const ClusterState& shooter, std::uint32_t polygon, Point& point);
+  double irradiance_of(const Point& point, std::size_t half, std::size_t band) const;
 
   const Occluders* occluders_;
   ErrorSampleConfig config_;
@@ -85,8 +90,8 @@ class ErrorSamples {
   std::size_t bands_;
   Random random_;
   std::vector<Point> points_;
-  std::vector<Hit> hits_;  ///< by cluster
-  VisibleNodes seen_;
+  std::vector<Hit> hits_;  ///< ends of all rays on front sides, by cluster
+  VisibleNodes visible_nodes_;
 };
 
 }  // namespace enfilade

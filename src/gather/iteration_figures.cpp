@@ -14,9 +14,7 @@ void add_bands(Spectrum& sum, const Spectrum& part) {
 
 std::size_t count_spectra() {
   std::size_t count = 0;
-  for_each_figure([&count](const FigureName&, auto access) {
-    if constexpr (is_spectrum<decltype(access)>) ++count;
-  });
+  for_each_spectrum([&count](const FigureName&, auto) { ++count; });
   return count;
 }
 
@@ -50,18 +48,14 @@ FoldedNumbers to_numbers(const IterationFigures& figures) {
 IterationFigures figures_from(std::span<const double> maxima, std::span<const double> sums) {
   IterationFigures figures;
   NumberReader largest(maxima), summed(sums);
-  for_each_figure([&](const FigureName& figure, auto access) {
-    if constexpr (!is_spectrum<decltype(access)>) {
-      auto& value = access(figures);
-      const double number = figure.fold == Fold::maximum ? largest.next() : summed.next();
-      value = static_cast<std::remove_reference_t<decltype(value)>>(number);
-    }
+  for_each_number([&](const FigureName& figure, auto access) {
+    auto& value = access(figures);
+    const double number = figure.fold == Fold::maximum ? largest.next() : summed.next();
+    value = static_cast<std::remove_reference_t<decltype(value)>>(number);
   });
   const std::size_t bands = summed.rest().size() / count_spectra();
-  for_each_figure([&](const FigureName&, auto access) {
-    if constexpr (is_spectrum<decltype(access)>) {
-      for (std::size_t b = 0; b < bands; ++b) access(figures).push_back(summed.next());
-    }
+  for_each_spectrum([&](const FigureName&, auto access) {
+    for (std::size_t b = 0; b < bands; ++b) access(figures).push_back(summed.next());
   });
   return figures;
 }

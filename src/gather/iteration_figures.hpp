@@ -1,5 +1,5 @@
-// What a gather did, and what all gathers of an iteration did, in figures. One list names them all:
-// they are summed over clusters and ranks, sent, kept and printed by it.
+// The figures of a gather, and of all gathers of an iteration. One list names them all
+// (for_each_figure): by it they are summed over clusters and ranks, sent, stored and printed.
 #pragma once
 
 #include <cstdint>
@@ -19,38 +19,40 @@ struct IterationFigures {
   double change_power = 0.0;                  ///< sum of area |B(k) - B(k-1)|
   double received_power = 0.0;                ///< sum of area * irradiance
   double link_error_power = 0.0;              ///< sum of the links' estimated errors
-  double visibility_uncertainty_power = 0.0;  ///< what of that is doubt about visibility
-  std::uint64_t patches = 0, links = 0;       ///< that there are after the gather
+  double visibility_uncertainty_power = 0.0;  ///< the part of that due to visibility uncertainty
+  std::uint64_t patches = 0, links = 0;       ///< their number after the gather
   std::uint64_t steals = 0, steal_requests = 0;
   WorkCount work;
+  // Of the rows before their closure (row_closure.hpp), zero where no rows were closed:
+  double row_deficit_m2 = 0.0;  ///< sum of area * |enclosed share - row sum|
+  double row_closed_m2 = 0.0;   ///< area of the leaves that this is summed over
   // Per band:
   Spectrum arriving_power;   ///< sum of area * irradiance
-  Spectrum returning_power;  ///< what of that was reflected, not sent out
+  Spectrum returning_power;  ///< the part of that which was reflected by the shooter, not emitted
   Spectrum absorbed_power;   ///< sum of area (1 - reflectance) irradiance
-  /// Sum of area * radiosity * the share of a patch's exposure rays that end nowhere, on a black
-  /// back or on a front in the dark.
+  /// Sum of area * radiosity * (1 - enclosed share): the part of a patch's light that goes into the
+  /// open, onto a back side or onto an unlit front side.
   Spectrum escaping_power;
   Spectrum direct_power;          ///< power that came straight from point lights
-  Spectrum uncertain_power;       ///< what a mend of 1 would add
+  Spectrum uncertain_power;       ///< power that a flux correction of 1 would add
   ErrorSampleSums error_samples;  ///< empty or zero where nothing was sampled
 };
 
 /// How the parts of a figure become that of the whole.
 enum class Fold { sum, maximum };
-/// What stats.json tells of a figure: that of the last iteration, or the sum over all of them.
-enum class Told { no, last, total };
+/// The value of a figure in stats.json: none, that of the last iteration, or the sum over all.
+enum class InStats { no, last, total };
 
 struct FigureName {
   const char* name;  ///< in history.json and stats.json
   Fold fold = Fold::sum;
-  Told told = Told::no;
+  InStats in_stats = InStats::no;
 };
 
-/// Calls visit(FigureName, access) for each figure; access(figures) is a reference to it: a double,
-/// a count, or a Spectrum with as many bands as the others. The order is that of all records.
+/// The figures of for_each_figure() that are one number.
 template <class Visit>
-void for_each_figure(Visit visit) {
-  using enum Told;
+void for_each_number(Visit visit) {
+  using enum InStats;
   visit(
       FigureName{"max_change", Fold::maximum}, [](auto& f) -> auto& { return f.max_change; });
   visit(
@@ -89,6 +91,15 @@ void for_each_figure(Visit visit) {
   visit(
       FigureName{"shafts", Fold::sum, total}, [](auto& f) -> auto& { return f.work.shafts; });
   visit(
+      FigureName{"row_deficit_m2"}, [](auto& f) -> auto& { return f.row_deficit_m2; });
+  visit(
+      FigureName{"row_closed_m2"}, [](auto& f) -> auto& { return f.row_closed_m2; });
+}
+
+/// The figures of for_each_figure() that are a Spectrum.
+template <class Visit>
+void for_each_spectrum(Visit visit) {
+  visit(
       FigureName{"arriving_power"}, [](auto& f) -> auto& { return f.arriving_power; });
   visit(
       FigureName{"returning_power"}, [](auto& f) -> auto& { return f.returning_power; });
@@ -111,7 +122,17 @@ void for_each_figure(Visit visit) {
       FigureName{"error_samples_noise"}, [](auto& f) -> auto& { return f.error_samples.noise; });
 }
 
-/// What access() of for_each_figure() refers to is a Spectrum, not one number.
+/// Calls visit(FigureName, access) for each figure; access(figures) is a reference to it: a double,
+/// a count, or a Spectrum. All spectra have the same number of bands. Messages, the manifest and
+/// recordings keep this order: a change to the list needs a new manifest_version (run/manifest.cpp)
+/// and a new mark of recordings (schemes/protocol/gather_cost.cpp).
+template <class Visit>
+void for_each_figure(Visit visit) {
+  for_each_number(visit);
+  for_each_spectrum(visit);
+}
+
+/// True where access() of for_each_figure() returns a Spectrum, not one number.
 template <class Access>
 inline constexpr bool is_spectrum =
     std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Access, IterationFigures&>>, Spectrum>;
@@ -119,13 +140,13 @@ inline constexpr bool is_spectrum =
 /// Folds one part (a cluster's, a rank's) into another.
 void add(IterationFigures& figures, const IterationFigures& part);
 
-/// As plain numbers: what folds by maximum, then what folds by sum, in the list's order; bands of
-/// a Spectrum one after the other.
+/// Figures as plain numbers, by how they fold, each in the list's order; the bands of a Spectrum
+/// stand one after the other.
 struct FoldedNumbers {
   std::vector<double> maxima, sums;
 };
 FoldedNumbers to_numbers(const IterationFigures& figures);
-/// Throws RunError for numbers that are none.
+/// Throws RunError where there are too few numbers.
 IterationFigures figures_from(std::span<const double> maxima, std::span<const double> sums);
 
 }  // namespace enfilade

@@ -6,15 +6,26 @@
 #include "base/error.hpp"
 
 namespace enfilade {
+namespace {
+
+/// Uncertainty of a group link, as a share of its factor: one direction stands for the light of all
+/// polygons of the shooting group.
+constexpr double group_uncertainty = 0.3;
+/// A row's summed link errors are taken for two standard deviations.
+constexpr double deviation_of_uncertainty = 0.5;
+/// Rays for a whole cluster, at least: a narrow opening must not pass for none.
+constexpr double least_rays = 512.0;
+constexpr int least_rings = 4;
+
+}  // namespace
 
 RowClosure::RowClosure(ClusterState& receiver)
     : receiver_(receiver),
       bands_(static_cast<std::size_t>(receiver.bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
-      width_(terms_ + 1 + 2 * bands_),
-      uncertain_power_(bands_, 0.0) {}
+      width_(terms_ + 1 + 2 * bands_) {}
 
-void RowClosure::see(const ClusterState& shooter) {
+void RowClosure::add_shooter(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
   ENFILADE_CHECK(lit_from_.empty() || lit_from_.back().first < shooter.id(),
                  std::to_string(shooter.id().value));
@@ -29,7 +40,7 @@ void RowClosure::add(std::size_t node, double factor, double uncertainty,
   double* to = row(node);
   to[0] += factor;
   to[terms_] += uncertainty;
-  double top = 0.0;  // light is below zero in places, by the links' errors
+  double top = 0.0;  // by the links' errors, light is negative in places
   for (const double l : light) top = std::max(top, std::abs(l));
   const double varies = top > 0.0 ? uncertainty_of_variation / top : 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -49,12 +60,12 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
       if (cosine > 0.0 && !patches.unreachable(k))
-        add(k, transport[0] * cosine, transport[0] * cosine * 0.3, light, 0.0);
+        add(k, transport[0] * cosine, transport[0] * cosine * group_uncertainty, light, 0.0);
     }
     return;
   }
-  // A link that nothing came through takes no share: what is missing comes from where light is
-  // seen.
+  // A link without any transport has no uncertainty here: the missing light comes from visible
+  // shooters.
   const std::size_t node = patches.find(link.receiver);
   const double per_m2 = transport[0] > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
   add(node, transport[0], per_m2 * link.error, light, per_m2 * link.variation * variation);
@@ -68,10 +79,10 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
                                             WorkCount& work) {
   PatchForest& patches = receiver_.patches();
   const auto lit = [this](const PolygonRef& polygon) {
-    const auto seen = std::lower_bound(lit_from_.begin(), lit_from_.end(),
-                                       std::pair(polygon.cluster, std::size_t{0}));
-    return seen != lit_from_.end() && seen->first == polygon.cluster &&
-           lit_[seen->second + polygon.polygon] != 0;
+    const auto shooter = std::lower_bound(lit_from_.begin(), lit_from_.end(),
+                                          std::pair(polygon.cluster, std::size_t{0}));
+    return shooter != lit_from_.end() && shooter->first == polygon.cluster &&
+           lit_[shooter->second + polygon.polygon] != 0;
   };
   patches.forget_enclosed_shares_below(lit_in_view_);
   std::vector<char> open(patches.polygons(), 0);
@@ -88,63 +99,88 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
   return open;
 }
 
-/// The radiosity of a leaf that sees itself, so to say, in `unseen` of its row: what is missing
-/// beyond the links' doubt is no light that they know of, as between panels that nearly touch.
-double RowClosure::own_light(std::size_t leaf, std::size_t band, double unseen,
-                             double arrived) const {
+void RowClosure::correct_flux(std::size_t leaf, const Spectrum& flux_correction,
+                              std::vector<double>& gathered) const {
+  for (std::size_t b = 0; b < flux_correction.size(); ++b) {
+    gathered[(leaf * bands_ + b) * terms_] += flux_correction[b] * uncertain_light(leaf, b);
+  }
+}
+
+/// The rays know the sum of an open row to within their own variance, the links to within their
+/// uncertainty: the deficit is weighted by the one against the other (as the gain of a Kalman
+/// filter is). A row without an opening sums to 1 exactly.
+RowClosure::Deficit RowClosure::deficit(std::size_t leaf, bool open, double rays) const {
+  const double target = receiver_.patches().enclosed_share(leaf);
+  const double deviation = deviation_of_uncertainty * uncertainty(leaf);
+  const double variance = (target * (1.0 - target) + 1.0 / rays) / rays;
+  Deficit deficit;
+  if (open) deficit.gain = deviation * deviation / (deviation * deviation + variance);
+  deficit.missing = deficit.gain * (target - row_sum(leaf));
+  deficit.beyond = std::max(0.0, deficit.missing - uncertainty(leaf));
+  return deficit;
+}
+
+/// The radiosity B = rho (E + F B) + exitance of a leaf that sees its like in the share F =
+/// `beyond` of its hemisphere and receives `arrived` (E) from elsewhere.
+double RowClosure::own_radiosity(std::size_t leaf, std::size_t band, double beyond,
+                                 double arrived) const {
   const PolygonFrame& frame = receiver_.patches().frames()[receiver_.patches().node(leaf).id.root];
   const double rho = frame.reflectance[band];
   return (rho * std::max(0.0, arrived) + frame.exitance[band]) /
-         (1.0 - rho * std::min(unseen, 1.0));
+         (1.0 - rho * std::min(beyond, 1.0));
 }
 
-void RowClosure::close(const Occluders& occluders, const Spectrum& flux_correction, WorkCount& work,
-                       std::vector<double>& gathered) {
+/// Within the links' uncertainty, the missing share of the hemisphere shows the mean light of the
+/// links, weighted by their uncertainty. Beyond it, the share shows something that the links do not
+/// know, as between panels that nearly touch: as dark as the leaf itself, if that is darker.
+void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
+                             std::span<const double> arrived, std::vector<double>& gathered) const {
+  const double* sums = rows_.data() + leaf * width_;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    const std::size_t at = (leaf * bands_ + b) * terms_;
+    double* to = gathered.data() + at;
+    const double light = sums[terms_ + 1 + b] / uncertainty(leaf);
+    const double within = deficit.within() * light;
+    to[0] += within;
+    if (deficit.beyond > 0.0) {
+      const double own = own_radiosity(leaf, b, deficit.beyond, arrived[at] + within);
+      to[0] += deficit.beyond * std::min(light, own);
+    }
+    if (terms_ == 3) {  // the target is the same all over the leaf
+      to[1] -= deficit.gain * sums[1] * light;
+      to[2] -= deficit.gain * sums[2] * light;
+    }
+  }
+}
+
+RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flux_correction,
+                                 WorkCount& work, std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
   rows_.resize(patches.size() * width_, 0.0);
   patches.push(rows_, width_, 1);
-  // At least 512 rays for the cluster: a narrow opening must not pass for none.
   const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
-  const int rings = std::max(4, static_cast<int>(std::sqrt(128.0 / static_cast<double>(leaves))));
+  const int rings = std::max(
+      least_rings, static_cast<int>(std::sqrt(0.25 * least_rays / static_cast<double>(leaves))));
   const std::vector<char> open = find_openings(rings, occluders, work);
-  const std::size_t stride = bands_ * terms_;
-  std::vector<double> arrived(gathered);  // at the leaf and above it
-  patches.push(arrived, stride, patches.bands());
-  const double rays = 4.0 * rings * rings;
+  std::vector<double> arrived(gathered);  // from links at the leaf and above it
+  patches.push(arrived, bands_ * terms_, patches.bands());
+  RowClosureSums sums{Spectrum(bands_, 0.0)};
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
-    const double* has = row(n);
+    const double area_m2 = node.shape.area_m2, target = patches.enclosed_share(n);
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double doubtful = has[terms_ + 1 + bands_ + b];
-      uncertain_power_[b] += node.shape.area_m2 * doubtful;
-      if (!flux_correction.empty())
-        gathered[n * stride + b * terms_] += flux_correction[b] * doubtful;
+      sums.uncertain_power[b] += area_m2 * uncertain_light(n, b);
     }
-    const double target = patches.enclosed_share(n);
-    if (has[terms_] <= 0.0 || target <= 0.0) continue;
-    // Rays tell an open row's sum to within `blur`, the links to within their doubt: weigh one
-    // against the other. A row without an opening sums to 1.
-    const double uncertainty = 0.5 * has[terms_];
-    const double blur = (target * (1.0 - target) + 1.0 / rays) / rays;
-    const double gain =
-        open[node.id.root] ? uncertainty * uncertainty / (uncertainty * uncertainty + blur) : 1.0;
-    const double missing = gain * (target - has[0]);
-    const double unseen = std::max(0.0, missing - has[terms_]);
-    for (std::size_t b = 0; b < bands_; ++b) {
-      double* to = gathered.data() + n * stride + b * terms_;
-      const double light = has[terms_ + 1 + b] / has[terms_];
-      to[0] += (missing - unseen) * light;
-      if (unseen > 0.0)
-        to[0] += unseen * std::min(light, own_light(n, b, unseen,
-                                                    arrived[n * stride + b * terms_] +
-                                                        (missing - unseen) * light));
-      if (terms_ == 3) {
-        to[1] -= gain * has[1] * light;
-        to[2] -= gain * has[2] * light;
-      }
-    }
+    correct_flux(n, flux_correction, gathered);
+    if (target <= 0.0) continue;
+    sums.deficit_m2 += area_m2 * std::abs(target - row_sum(n));
+    sums.closed_m2 += area_m2;
+    if (uncertainty(n) <= 0.0) continue;
+    const double rays = 4.0 * rings * rings;
+    add_missing(n, deficit(n, open[node.id.root] != 0, rays), arrived, gathered);
   }
+  return sums;
 }
 
 }  // namespace enfilade

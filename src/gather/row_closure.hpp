@@ -1,4 +1,4 @@
-// Closing the rows of form factors: energy neither made nor lost by the links' errors.
+// Closure of the rows of form factors, so that the links' errors neither make nor lose energy.
 #pragma once
 
 #include <span>
@@ -9,44 +9,65 @@
 
 namespace enfilade {
 
-/// Sums the rows of one receiving cluster while its light is gathered, then gives each leaf what
-/// its row lacks (or has too much) of the share that it must sum to: 1 where every ray from the
-/// patch ends on a lit front side, else what exposure rays say, weighed against the links' doubt.
-/// What it lacks beyond that doubt is as dark as the leaf itself, if that is darker.
+/// What a closure did, summed over the leaves.
+struct RowClosureSums {
+  Spectrum uncertain_power;  ///< per band: area times uncertain irradiance
+  double deficit_m2 = 0.0;   ///< area * |enclosed share - row sum| before the closure
+  double closed_m2 = 0.0;    ///< area of the leaves in deficit_m2: those whose rows have a target
+};
+
+/// Sums the rows of one receiving cluster while its light is gathered. Then gives each leaf the
+/// light that its row lacks (or takes what it has too much) of the sum that the row must have: the
+/// leaf's enclosed share, which is 1 where every ray from the leaf ends on a lit front side.
 class RowClosure {
  public:
   explicit RowClosure(ClusterState& receiver);
 
-  /// Notes which of a shooter's polygons give light. Shooters come by rising id.
-  void see(const ClusterState& shooter);
-  /// A link's share of its receiver's row. `light`: the shooter's mean radiosity per band, which
+  /// Notes which polygons of a shooter give light. Shooters come by rising id.
+  void add_shooter(const ClusterState& shooter);
+  /// Adds a link to its receiver's row. `light`: the shooter's mean radiosity per band, which
   /// varies by `variation` (RMS, worst band).
   void add(const Link& link, std::span<const float> transport, std::span<const double> light,
            double variation);
-  /// Adds to `gathered` (indexed like the light of the patches) the missing light, then
-  /// `flux_correction` (per band, may be empty) times each leaf's doubtful light.
-  void close(const Occluders& occluders, const Spectrum& flux_correction, WorkCount& work,
-             std::vector<double>& gathered);
-  /// After that: area times doubtful light over the leaves, per band.
-  const Spectrum& uncertain_power() const { return uncertain_power_; }
+  /// Adds to `gathered` (irradiance, indexed like the light of the patches) `flux_correction` (per
+  /// band, may be empty) times each leaf's uncertain irradiance, then the light that its row lacks.
+  RowClosureSums close(const Occluders& occluders, const Spectrum& flux_correction, WorkCount& work,
+                       std::vector<double>& gathered);
 
  private:
+  /// What the row of a leaf lacks; below zero where it has too much.
+  struct Deficit {
+    double gain = 1.0;     ///< weight of the target against the links' own sum
+    double missing = 0.0;  ///< gain * (target - row sum)
+    double beyond = 0.0;   ///< the part of `missing` that exceeds the links' uncertainty
+    double within() const { return missing - beyond; }
+  };
   void add(std::size_t node, double factor, double uncertainty, std::span<const double> light,
            double uncertainty_of_variation);
   double* row(std::size_t node) { return rows_.data() + node * width_; }
-  /// Measures what was not measured yet; true per polygon: one of its leaves sees an opening.
+  double row_sum(std::size_t node) const { return rows_[node * width_]; }
+  double uncertainty(std::size_t node) const { return rows_[node * width_ + terms_]; }
+  double uncertain_light(std::size_t node, std::size_t band) const {
+    return rows_[node * width_ + terms_ + 1 + bands_ + band];
+  }
+  /// Measures the enclosed shares that are not known yet. True per polygon: a leaf of it sees an
+  /// opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
-  double own_light(std::size_t leaf, std::size_t band, double unseen, double arrived) const;
+  void correct_flux(std::size_t leaf, const Spectrum& flux_correction,
+                    std::vector<double>& gathered) const;
+  Deficit deficit(std::size_t leaf, bool open, double rays) const;
+  double own_radiosity(std::size_t leaf, std::size_t band, double beyond, double arrived) const;
+  void add_missing(std::size_t leaf, const Deficit& deficit, std::span<const double> arrived,
+                   std::vector<double>& gathered) const;
 
   ClusterState& receiver_;
   std::size_t bands_, terms_, width_;
   /// Per node: the row's sum as an affine function, the links' uncertainty, per band their light
-  /// weighted by it, and per band the doubtful light: that and what varies over the shooters.
+  /// weighted by it, and per band their uncertain light: that and the variation over the shooters.
   std::vector<double> rows_;
-  Spectrum uncertain_power_;
   std::vector<char> lit_;  ///< the shooters' polygons, one shooter after the other
-  std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< where a shooter's begin, rising
-  std::uint32_t lit_in_view_ = 0;                            ///< polygons
+  std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< by shooter: its first in lit_
+  std::uint32_t lit_in_view_ = 0;                            ///< number of lit polygons
 };
 
 }  // namespace enfilade

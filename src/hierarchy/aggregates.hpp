@@ -1,5 +1,5 @@
 // The aggregates of a cluster: the parts that have one unknown each in the coarse system of the
-// two-level method (coarse/coarse_correction.hpp).
+// two-level method (coarse/coarse_system.hpp).
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int manifest_version = 5;  // 5: a cluster may have several unknowns in the coarse system
+constexpr int manifest_version = 6;  // 6: figures of row sums, failures of the coarse correction
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.

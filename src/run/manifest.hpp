@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_unknowns.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "run/run_layout.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_system.hpp"
 #include "solver/iteration_plan.hpp"
 
 namespace enfilade {
@@ -11,6 +11,7 @@ namespace enfilade {
 /// What the coarse correction adds to the light of every cluster before the next iteration.
 struct Correction {
   std::vector<double> changes;  ///< relative, [unknown * bands + band]; empty = none
+  bool failed = false;          ///< the coarse system has no finite solution: there are no changes
   /// Power of the changes: an estimate of what the iterations still lacked.
   double missing_power = 0.0;
   /// Per band: what it adds to IterationFigures::absorbed_power and escaping_power.

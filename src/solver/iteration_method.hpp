@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_unknowns.hpp"
 #include "solver/iteration_plan.hpp"
 
 namespace enfilade {

@@ -49,6 +49,7 @@ IterationPlan plan_from(std::span<const double> numbers) {
 std::vector<double> to_numbers(const IterationSummary& summary) {
   std::vector<double> numbers = to_numbers(summary.plan);
   numbers.push_back(summary.corrected ? 1.0 : 0.0);
+  numbers.push_back(summary.correction_failed ? 1.0 : 0.0);
   numbers.push_back(summary.missing_power);
   numbers.push_back(summary.error.discretisation);
   numbers.push_back(summary.error.visibility);
@@ -67,6 +68,7 @@ IterationSummary summary_from(std::span<const double> numbers) {
   NumberReader n(numbers);
   summary.plan = next_plan_of(n);
   summary.corrected = n.next() != 0.0;
+  summary.correction_failed = n.next() != 0.0;
   summary.missing_power = n.next();
   summary.error.discretisation = n.next();
   summary.error.visibility = n.next();

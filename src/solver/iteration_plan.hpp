@@ -37,8 +37,9 @@ struct ErrorEstimate {
 struct IterationSummary {
   IterationPlan plan;
   IterationFigures figures;
-  bool corrected = false;      ///< by the coarse system; what is absorbed and escapes is after that
-  double missing_power = 0.0;  ///< what the coarse system says the iteration still lacked
+  bool corrected = false;  ///< by the coarse system; what is absorbed and escapes is after that
+  bool correction_failed = false;  ///< the coarse system had no solution, and was left out
+  double missing_power = 0.0;      ///< what the coarse system says the iteration still lacked
   ErrorEstimate error;
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated
 };

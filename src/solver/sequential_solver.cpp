@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 
+#include "gather/emitted_power.hpp"
 #include "gather/gather.hpp"
 #include "solver/energy_conservation.hpp"
 
@@ -47,6 +48,11 @@ class Solver {
   IterationPlan iterate(const IterationPlan& plan);
   IterationFigures gather(ClusterState& receiver, std::span<const ClusterState> light,
                           const GatherConfig& config, CoarseSystem& coarse);
+  void correct(const Correction& correction) {
+    for (ClusterState& state : solution_.clusters) {
+      state.correct(unknowns_.of(state.id(), correction.changes, bands_));
+    }
+  }
   double time_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   const Prepared& prepared_;
@@ -85,9 +91,7 @@ IterationPlan Solver::iterate(const IterationPlan& plan) {
   std::optional<Correction> correction;
   if (config_.method.coarse_correction) {
     correction = correction_of(coarse, unknowns_);
-    for (ClusterState& state : solution_.clusters) {
-      state.correct(unknowns_.of(state.id(), correction->changes, bands_));
-    }
+    if (!correction->failed) correct(*correction);
   }
   solution_.history.push_back(
       summary_of(plan, std::move(figures), correction ? &*correction : nullptr, time_s()));

@@ -30,6 +30,7 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("estimated_iteration_error", summary.error.iteration);
   record.set("estimated_patch_error", summary.error.patches);
   record.set("iteration_error_bound", summary.error.iteration_bound);
+  record.set("correction_failed", summary.correction_failed);
   record.set("sampled", summary.plan.sample);
   if (summary.plan.sample) record.set("sample_noise", sample_noise(summary.figures.error_samples));
   record.set("relative_change", summary.figures.received_power > 0.0

@@ -97,14 +97,15 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   if (options.trace) write_trace(config.run_directory, communicator, machine);
 
   communicator.on_root([&] {
-    const Warnings shortfall = shortfall_of(config.run_directory, stats, config.max_iterations);
-    console.warnings(shortfall);
-    for (const Warning& w : shortfall.all()) warnings.add(w.where, w.what);
+    const std::vector<IterationSummary> history = committed_iterations(config.run_directory);
+    for (const Warnings& found : {shortfall_of(config.run_directory, stats, config.max_iterations),
+                                  correction_failures(config.run_directory, history)}) {
+      console.warnings(found);
+      for (const Warning& w : found.all()) warnings.add(w.where, w.what);
+    }
     const auto owner = assign_clusters(prepared, config, communicator.size());
-    write_run_outputs(
-        {config.run_directory, options.probe_source(), options.pictures},
-        {std::move(prepared), stats, committed_iterations(config.run_directory), owner, warnings},
-        console.progress());
+    write_run_outputs({config.run_directory, options.probe_source(), options.pictures},
+                      {std::move(prepared), stats, history, owner, warnings}, console.progress());
     if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
   });
 }

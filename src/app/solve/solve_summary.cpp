@@ -88,6 +88,22 @@ Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
   return warnings;
 }
 
+Warnings correction_failures(const std::string& run_directory,
+                             const std::vector<IterationSummary>& history) {
+  std::string iterations;
+  for (const IterationSummary& summary : history) {
+    if (!summary.correction_failed) continue;
+    iterations += (iterations.empty() ? "" : ", ") + std::to_string(summary.plan.iteration);
+  }
+  Warnings warnings;
+  if (iterations.empty()) return warnings;
+  warnings.add(run_directory,
+               "the coarse correction could not be solved after iteration " + iterations +
+                   ", and was left out there; the light is as good as estimated, it took more "
+                   "iterations");
+  return warnings;
+}
+
 std::string solve_summary(const std::string& run_directory, const RunRecord& record) {
   const bool reached = record.number("estimated_error", 1.0) <= record.number("target_error", 0.0);
   const bool replayed = record.find("replayed") != nullptr;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
 #include "solver/iteration_method.hpp"
 #include "store/resident_clusters.hpp"
 

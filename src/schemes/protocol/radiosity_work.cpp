@@ -1,6 +1,7 @@
 #include "schemes/protocol/radiosity_work.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace enfilade {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_system.hpp"
 #include "machine/machine.hpp"
 #include "occluders/occluders.hpp"
 #include "run/manifest.hpp"

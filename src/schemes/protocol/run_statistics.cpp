@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scene/equal_bands.hpp"
 #include "solver/energy_conservation.hpp"
@@ -48,12 +49,22 @@ void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
   record.set("basis", basis == Basis::linear ? "linear" : "constant");
 }
 
-void set_figures(RunRecord& record, const IterationFigures& figures, Told told) {
+void set_figures(RunRecord& record, const IterationFigures& figures, InStats when) {
   for_each_figure([&](const FigureName& figure, auto access) {
     if constexpr (!is_spectrum<decltype(access)>) {
-      if (figure.told == told) record.set(figure.name, access(figures));
+      if (figure.in_stats == when) record.set(figure.name, access(figures));
     }
   });
+}
+
+/// Mean |enclosed share - row sum| of the form factors before closure, by area, in the last
+/// iteration that closed rows; nothing where none did.
+std::optional<double> mean_row_deficit(const std::vector<IterationSummary>& history) {
+  for (std::size_t i = history.size(); i-- > 0;) {
+    const IterationFigures& sums = history[i].sums;
+    if (sums.row_closed_m2 > 0.0) return sums.row_deficit_m2 / sums.row_closed_m2;
+  }
+  return std::nullopt;
 }
 
 void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& emitted,
@@ -61,7 +72,7 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
   IterationFigures all;
   for (const IterationSummary& summary : history) add(all, summary.figures);
   const IterationFigures end = history.empty() ? IterationFigures{} : history.back().figures;
-  set_figures(record, end, Told::last);
+  set_figures(record, end, InStats::last);
   record.set("iterations", history.size());
   record.set("converged", RunRecord::Value(last.converged));
   record.set(
@@ -82,7 +93,9 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
     stays[b] -= end.escaping_power[b];
   }
   record.set("escaping_share", RunRecord::Value(largest_share(emitted, stays)));
-  set_figures(record, all, Told::total);
+  if (const auto deficit = mean_row_deficit(history))
+    record.set("mean_row_deficit", RunRecord::Value(*deficit));
+  set_figures(record, all, InStats::total);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "gather/gather.hpp"
+#include "gather/emitted_power.hpp"
 #include "schemes/replay/replay_work.hpp"
 #include "schemes/solve/run_ranks.hpp"
 #include "schemes/spmd/spmd.hpp"

@@ -68,8 +68,10 @@ Correction ReplayWork::correct(std::span<const double>) const {
     for (std::size_t b = 0; b < std::min(after.size(), before.size()); ++b) after[b] -= before[b];
     return after;
   };
-  return {std::vector<double>(shared_->unknowns.count * recording.bands, 0.0),
-          summary.missing_power, brought(summary.figures.absorbed_power, gathered.absorbed_power),
+  const std::size_t changes =
+      summary.correction_failed ? 0 : shared_->unknowns.count * recording.bands;
+  return {std::vector<double>(changes, 0.0), summary.correction_failed, summary.missing_power,
+          brought(summary.figures.absorbed_power, gathered.absorbed_power),
           brought(summary.figures.escaping_power, gathered.escaping_power)};
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_system.hpp"
 #include "machine/machine.hpp"
 #include "run/prepare.hpp"
 #include "schemes/protocol/cluster_work.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/byte_stream.hpp"
-#include "gather/gather.hpp"
+#include "gather/emitted_power.hpp"
 
 namespace enfilade {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
+#include "gather/emitted_power.hpp"
 #include "run/history.hpp"
 #include "schemes/protocol/radiosity_work.hpp"
 #include "schemes/solve/make_scheme.hpp"

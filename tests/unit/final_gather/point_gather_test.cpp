@@ -53,7 +53,7 @@ TEST(PointGather, PatchesAgreeWithTheGatherInAFurnace) {
   }
 }
 
-TEST(PointGather, AGapBelowASlabIsDarkHoweverCoarseThePatches) {
+TEST(PointGather, AGapBelowASlabIsDarkEvenWithCoarsePatches) {
   // A slab 1 cm above the floor: nothing comes to its middle, though the floor is one bright patch.
   Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.5}, {0.0});
   scene.surfaces.back().exitance = {10.0};
@@ -70,13 +70,13 @@ TEST(PointGather, AGapBelowASlabIsDarkHoweverCoarseThePatches) {
   EXPECT_LT(gather.irradiance({2, 2, 0}, {0, 0, 1})[0], 1e-3 * lit);
 }
 
-TEST(PointGather, NoisyPointsGetMoreRaysAndQuietOnesNone) {
+TEST(PointGather, NoisyPointsGetMoreRaysAndOthersNone) {
   // Below a table the light comes round its edges, over several reflections.
   Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.5}, {0.0});
   scene.surfaces.back().exitance = {10.0};
   testing::add_block(scene, {1, 1, 0.3}, {3, 3, 0.4}, {0.5}, {0.0});
   const testing::Solved solved(scene, Basis::linear, 1e-1);
-  const auto spread = [&](const Vec3& p, double noise) {
+  const auto deviation = [&](const Vec3& p, double noise) {
     double sum = 0.0, square = 0.0;
     constexpr int seeds = 16;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -90,13 +90,14 @@ TEST(PointGather, NoisyPointsGetMoreRaysAndQuietOnesNone) {
     return std::sqrt(square / seeds - mean * mean) / mean;
   };
   const Vec3 below(2, 2, 0);
-  const double once = spread(below, 0.0), often = spread(below, 1e-6), enough = spread(below, 10.0);
+  const double once = deviation(below, 0.0), often = deviation(below, 1e-6),
+               enough = deviation(below, 10.0);
   EXPECT_GT(once, 0.01);
   EXPECT_LT(often, 0.5 * once);  // 16 times the rays: a quarter or less
   EXPECT_DOUBLE_EQ(enough, once);
 }
 
-TEST(PointGather, AsksForNoLessNoiseThanThePatchesAreWorth) {
+TEST(PointGather, AsksForNoLessNoiseThanThePatchesErrorDeserves) {
   PointGatherConfig config;
   config.patch_error = 0.1;
   EXPECT_DOUBLE_EQ(config.least_noise(), 0.005);

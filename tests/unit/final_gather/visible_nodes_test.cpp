@@ -34,18 +34,20 @@ double sum(const std::vector<VisibleNode>& nodes) {
   return factor;
 }
 
-TEST(VisibleNodes, GoAsFarDownAsTheLightVaries) {
+TEST(VisibleNodes, AreAsFineAsTheLightVaries) {
   const testing::Solved solved = lit_corner();
   const PatchForest& forest = solved.states[wall].patches();
-  VisibleNodes seen(solved.occluders);
+  VisibleNodes visible(solved.occluders);
   std::vector<VisibleNode> whole, some, all;
-  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e9, whole));
-  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, some));
-  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 0.0, all));
+  ASSERT_TRUE(
+      visible.find(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e9, whole));
+  ASSERT_TRUE(
+      visible.find(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, some));
+  ASSERT_TRUE(visible.find(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 0.0, all));
   EXPECT_EQ(whole.size(), 1u);
   EXPECT_GT(some.size(), 1u);
   EXPECT_GT(all.size(), some.size());
-  // However it is cut, as much of the wall is seen; the screen hides a part.
+  // The visible factor does not depend on the nodes; the screen hides a part of the wall.
   EXPECT_NEAR(sum(some), sum(whole), 1e-9);
   EXPECT_NEAR(sum(all), sum(whole), 1e-9);
   const double bare = point_to_polygon(point, up, solved.clusters[wall].polygons[0].polygon);
@@ -54,7 +56,7 @@ TEST(VisibleNodes, GoAsFarDownAsTheLightVaries) {
 }
 
 /// Light that rises along a wall half hidden by a screen, against many rays to the wall.
-TEST(VisibleNodes, TellWhereInThemTheLightComesFrom) {
+TEST(VisibleNodes, HaveTheFirstMomentOfTheirFactor) {
   testing::Solved solved = lit_corner();
   PatchForest& forest = solved.states[wall].patches();
   const double slope = 2.0;
@@ -65,10 +67,10 @@ TEST(VisibleNodes, TellWhereInThemTheLightComesFrom) {
     light[1] = slope * forest.frames()[0].u.z;
     light[2] = slope * forest.frames()[0].v.z;
   }
-  VisibleNodes seen(solved.occluders);
+  VisibleNodes visible(solved.occluders);
   for (const Vec3& p : {point, Vec3(0.05, 1, 0), Vec3(1.5, 3.9, 0)}) {
     std::vector<VisibleNode> nodes;
-    ASSERT_TRUE(seen.look(p, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 5e-3, nodes));
+    ASSERT_TRUE(visible.find(p, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 5e-3, nodes));
     double brings = 0.0, light = 0.0;
     int open = 0;
     for (const VisibleNode& node : nodes) brings += node.irradiance(forest, 0);
@@ -90,12 +92,13 @@ TEST(VisibleNodes, TellWhereInThemTheLightComesFrom) {
   }
 }
 
-TEST(VisibleNodes, EveryPlaceOfThePolygonLiesInOne) {
+TEST(VisibleNodes, CoverThePolygon) {
   const testing::Solved solved = lit_corner();
   const PatchForest& forest = solved.states[wall].patches();
-  VisibleNodes seen(solved.occluders);
+  VisibleNodes visible(solved.occluders);
   std::vector<VisibleNode> nodes;
-  ASSERT_TRUE(seen.look(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, nodes));
+  ASSERT_TRUE(
+      visible.find(point, up, RayScene::no_polygon, ClusterId(wall), forest, 0, 1e-2, nodes));
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const Vec3 y(0, 4.0 * random.uniform(), 3.0 * random.uniform());

@@ -1,6 +1,8 @@
 // Scenes that the radiosity tests build in code.
 #pragma once
 
+#include "coarse/coarse_system.hpp"
+#include "gather/emitted_power.hpp"
 #include "gather/gather.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "occluders/occluders.hpp"
@@ -110,7 +112,7 @@ struct Solved {
       absorbed_share = absorbed / emitted[0];
       double missing = 0.0;
       if (coarse && iterations > 1) {
-        const std::vector<double> offsets = system.solve(unknowns);
+        const std::vector<double> offsets = system.solve(unknowns).value();
         missing = system.power(offsets);
         for (ClusterState& s2 : states) {
           s2.correct(unknowns.of(s2.id(), offsets, bands));

@@ -14,8 +14,8 @@ using testing::Solved;
 ErrorSampleSums sampled(Solved& solved, std::size_t of, const ErrorSampleConfig& config) {
   WorkCount work;
   ErrorSamples samples(solved.states[of], solved.occluders, config, work);
-  for (const PointLight& light : solved.scene.lights) samples.from(light);
-  for (const ClusterState& state : solved.states) samples.from(state);
+  for (const PointLight& light : solved.scene.lights) samples.add(light);
+  for (const ClusterState& state : solved.states) samples.add(state);
   return samples.compare(solved.states[of]);
 }
 
@@ -46,7 +46,7 @@ TEST(ErrorSamples, MeasureWhatThePatchesCannotFollow) {
 
 /// All over 5% too bright, in a room where rays alone bring the light: the sign is found, and noise
 /// does not hide it.
-TEST(ErrorSamples, FindLightThatIsWrongAllOver) {
+TEST(ErrorSamples, FindAnErrorOfAllLight) {
   Scene scene = testing::box_room({0, 0, 0}, {4, 5, 3}, {0.5}, {0.5});
   testing::add_block(scene, {1, 1, 0.3}, {2, 2.5, 1.2}, {0.5}, {0.5});
   Solved solved(scene, Basis::linear, 1e-3);
@@ -59,7 +59,7 @@ TEST(ErrorSamples, FindLightThatIsWrongAllOver) {
     bright.correct(std::vector<double>(bright.aggregates().size(), 0.05));
     WorkCount work;
     ErrorSamples samples(bright, solved.occluders, config, work);
-    for (const ClusterState& state : solved.states) samples.from(state);
+    for (const ClusterState& state : solved.states) samples.add(state);
     add(wrong, samples.compare(bright));
   }
   EXPECT_NEAR(wrong.surplus[0] / wrong.light[0], -0.05, 5e-3);
@@ -87,7 +87,7 @@ TEST(ErrorSamples, NoPointsNoRays) {
   Solved solved(testing::box_room({0, 0, 0}, {1, 1, 1}, {0.5}, {0.5}), Basis::linear, 1e-2);
   WorkCount work;
   ErrorSamples none(solved.states[0], solved.occluders, {}, work);
-  none.from(solved.states[1]);
+  none.add(solved.states[1]);
   EXPECT_EQ(work.rays, 0u);
   EXPECT_EQ(none.compare(solved.states[0]).light[0], 0.0);
 }

@@ -9,8 +9,8 @@ namespace {
 
 /// The floor of a closed, glowing room, 16 m2, has one link, to the ceiling.
 struct Closed {
-  std::vector<double> gathered;  ///< by closing its row alone, per band
-  Spectrum uncertain_power;
+  std::vector<double> gathered;  ///< irradiance per band that the closure of its row adds
+  RowClosureSums sums;
 };
 Closed closed(float share, float uncertainty, const std::vector<double>& light, double variation) {
   const Spectrum grey(light.size(), 0.5), glow(light.size(), 1.0);
@@ -19,18 +19,17 @@ Closed closed(float share, float uncertainty, const std::vector<double>& light, 
   const Occluders occluders(clusters);
   std::vector<ClusterState> states;
   for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
-  RowClosure closing(states[0]);
-  for (const ClusterState& s : states) closing.see(s);
+  RowClosure closure(states[0]);
+  for (const ClusterState& s : states) closure.add_shooter(s);
   Link link;
   link.shooter_cluster = ClusterId(1u);
   link.shooter = link.receiver = {0, 1};
   link.error = uncertainty * 16.0f;
   link.variation = 16.0f;
-  closing.add(link, std::span(&share, 1), light, variation);
+  closure.add(link, std::span(&share, 1), light, variation);
   WorkCount work;
   Closed result{std::vector<double>(light.size(), 0.0), {}};
-  closing.close(occluders, {}, work, result.gathered);
-  result.uncertain_power = closing.uncertain_power();
+  result.sums = closure.close(occluders, {}, work, result.gathered);
   return result;
 }
 
@@ -43,18 +42,27 @@ TEST(RowClosure, GivesARowWhatItLacks) {
   EXPECT_NEAR(added(1.25f, 0.5f), -0.25, 1e-6);
 }
 
-/// A face that nearly touches another sees next to nothing else: the lamp whose light comes through
-/// the gap is not all around it.
-TEST(RowClosure, AddsNoMoreOfTheirLightThanTheLinksMayBeWrongBy) {
+TEST(RowClosure, SumsTheDeficitsBeforeItself) {
+  for (const float share : {0.75f, 1.25f}) {
+    const RowClosureSums sums = closed(share, 0.5f, {800.0}, 0.0).sums;
+    EXPECT_NEAR(sums.deficit_m2, 0.25 * 16.0, 1e-9);
+    EXPECT_NEAR(sums.closed_m2, 16.0, 1e-9);
+  }
+}
+
+/// A face that nearly touches another sees hardly anything else: the lamp whose light comes through
+/// the gap does not fill the rest of its hemisphere.
+TEST(RowClosure, AddsNoMoreOfTheLinksLightThanTheirUncertainty) {
   // 0.006 of the lamp's 800, and 0.974 of what the face sends out with that: 1 + 0.5 E.
   const double lamp = 0.006 * 800.0, own = (0.5 * lamp + 1.0) / (1.0 - 0.5 * 0.974);
   EXPECT_NEAR(added(0.02f, 0.006f), (lamp + 0.974 * own) / 800.0, 1e-4);
 }
 
-/// Links' errors make light negative here and there; one band's variation must not be weighed by
-/// the light of another that has next to none.
-TEST(RowClosure, DoubtfulLightOfOneBandIsBoundedByItsOwn) {
-  EXPECT_NEAR(closed(1.0f, 0.0f, {-1000.0, 1e-3}, 500.0).uncertain_power[0], -16.0 * 500.0, 1e-6);
+/// Links' errors make light negative in places; the variation of one band must not be weighted by
+/// another band that has hardly any light.
+TEST(RowClosure, UncertainLightOfOneBandIsBoundedByItsOwn) {
+  EXPECT_NEAR(closed(1.0f, 0.0f, {-1000.0, 1e-3}, 500.0).sums.uncertain_power[0], -16.0 * 500.0,
+              1e-6);
 }
 
 }  // namespace

@@ -127,6 +127,8 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.plan.sample_rays = 99;
   s.plan.flux_correction = {0.5, -0.25};
   s.time_s = 9.0;
+  s.correction_failed = true;
+  s.figures.row_deficit_m2 = 0.5;
   s.figures.max_change = 0.75;
   s.figures.steals = 3;
   s.figures.work.rays = 1234567890123;
@@ -144,6 +146,8 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(to_numbers(back), to_numbers(s));
   EXPECT_EQ(back.plan.iteration, 7);
   EXPECT_FALSE(back.plan.refine);
+  EXPECT_TRUE(back.correction_failed);
+  EXPECT_EQ(back.figures.row_deficit_m2, 0.5);
   EXPECT_EQ(back.figures.work.rays, 1234567890123u);
   EXPECT_EQ(back.figures.work.shafts, 8u);
   EXPECT_EQ(back.error.iteration_bound, 0.5);

@@ -32,6 +32,17 @@ TEST(SolveSummary, AShortfallComesWithItsRemedy) {
   EXPECT_THAT(warning(8), testing::HasSubstr("--target-error"));
 }
 
+TEST(SolveSummary, NamesTheIterationsWithoutACoarseCorrection) {
+  std::vector<IterationSummary> history(4);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    history[i].plan.iteration = static_cast<int>(i) + 1;
+  }
+  EXPECT_TRUE(correction_failures("run", history).empty());
+  history[1].correction_failed = history[3].correction_failed = true;
+  EXPECT_THAT(correction_failures("run", history).summary().at(0),
+              testing::HasSubstr("after iteration 2, 4, and was left out"));
+}
+
 TEST(SolveProgress, RunsFromTheFirstErrorToTheTarget) {
   std::vector<double> fractions;
   SolveProgress progress(0.01, [&](std::string_view, double f) { fractions.push_back(f); });

@@ -1,6 +1,12 @@
-#include "coarse/coarse_correction.hpp"
+#include "coarse/coarse_system.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "coarse/sparse_solve.hpp"
 
 #include "unit/gather/box_room.hpp"
 
@@ -26,7 +32,8 @@ TEST(CoarseSystem, SolvesASmallSystemExactly) {
   second.entries = {{ClusterId(0u), true, {3.0 * rho1}}};
   system.add(ClusterId(0u), first, unknowns);
   system.add(ClusterId(1u), second, unknowns);
-  const std::vector<double> x = CoarseSystem::from_numbers(system.to_numbers()).solve(unknowns);
+  const std::vector<double> x =
+      CoarseSystem::from_numbers(system.to_numbers()).solve(unknowns).value();
   const double e1 = 1.0 / (1.0 - both), e2 = rho1 * e1;
   EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
   EXPECT_NEAR(rho1 * (1.0 + x[1]), e2, 1e-5);
@@ -50,14 +57,14 @@ TEST(CoarseSystem, TakesLightThatWasReadFreshAsItIs) {
   second.entries = {{ClusterId(0u), false, {3.0 * rho1 * (1.0 + both)}}};
   system.add(ClusterId(0u), first, unknowns);
   system.add(ClusterId(1u), second, unknowns);
-  const std::vector<double> x = system.solve(unknowns);
+  const std::vector<double> x = system.solve(unknowns).value();
   const double e1 = 1.0 / (1.0 - both);
   EXPECT_NEAR((1.0 + both) * (1.0 + x[0]), e1, 1e-5);
   EXPECT_NEAR(rho1 * (1.0 + both) * (1.0 + x[1]), rho1 * e1, 1e-5);
 }
 
-TEST(CoarseSystem, LightThatNobodyGivesDies) {
-  // A sealed pair with light left over, which fades by a tenth a sweep: nothing comes in.
+TEST(CoarseSystem, LightWithoutASourceVanishes) {
+  // A closed pair of clusters with light left over, which fades by a tenth a sweep, and no source.
   CoarseSystem system(2, 1);
   const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
   CoarseRow row;
@@ -69,7 +76,47 @@ TEST(CoarseSystem, LightThatNobodyGivesDies) {
   system.add(ClusterId(0u), row, unknowns);
   row.entries = {{ClusterId(0u), true, {0.9}}};
   system.add(ClusterId(1u), row, unknowns);
-  for (const double change : system.solve(unknowns)) EXPECT_NEAR(change, -1.0, 1e-4);
+  const std::vector<double> changes = system.solve(unknowns).value();
+  for (const double change : changes) EXPECT_NEAR(change, -1.0, 1e-4);
+}
+
+/// Two clusters that only see each other, the first one's light `after` at last.
+std::optional<std::vector<double>> solve_pair(double after, double before) {
+  CoarseSystem system(2, 1);
+  const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+  CoarseRow row;
+  row.absorbed = row.escaping = {0.0};
+  row.before = {before};
+  row.after = {after};
+  row.entries = {{ClusterId(1u), true, {1.0}}};
+  system.add(ClusterId(0u), row, unknowns);
+  row.before = row.after = {1.0};
+  row.entries = {{ClusterId(0u), true, {0.5}}};
+  system.add(ClusterId(1u), row, unknowns);
+  return system.solve(unknowns);
+}
+
+TEST(CoarseSystem, TellsWhereItHasNoSolution) {
+  EXPECT_TRUE(solve_pair(1.0, 0.9));
+  EXPECT_FALSE(solve_pair(1e300, 1e-300)) << "the growth is infinite";
+  EXPECT_THROW(solve_pair(std::numeric_limits<double>::quiet_NaN(), 1.0), RunError);
+  EXPECT_THROW(solve_pair(std::numeric_limits<double>::infinity(), 1.0), RunError);
+}
+
+TEST(SolveSparse, AddsEntriesOfOnePlace) {
+  const std::vector<MatrixEntry> entries{{0, 0, 1.0}, {1, 1, 1.0}, {0, 1, -0.5}, {1, 1, 1.0}};
+  const std::vector<double> right{1.0, 4.0};
+  EXPECT_EQ(solve_sparse(entries, right).value(), (std::vector<double>{2.0, 2.0}));
+}
+
+TEST(SolveSparse, RefusesWhatHasNoSolution) {
+  const std::vector<double> right{1.0, 2.0};
+  const std::vector<MatrixEntry> singular{{0, 0, 1.0}, {0, 1, -1.0}, {1, 0, -1.0}, {1, 1, 1.0}},
+      empty_row{{0, 0, 1.0}}, not_finite{{0, 0, NAN}, {1, 1, 1.0}};
+  for (const auto& entries : {singular, empty_row, not_finite})
+    EXPECT_FALSE(solve_sparse(entries, right));
+  const std::vector<MatrixEntry> identity{{0, 0, 1.0}, {1, 1, 1.0}};
+  EXPECT_FALSE(solve_sparse(identity, std::vector<double>{INFINITY, 1.0}));
 }
 
 TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
@@ -88,7 +135,7 @@ TEST(CoarseCorrection, MakesIterationsIndependentOfReflectance) {
   EXPECT_GT(without.iterations, 30);
 }
 
-TEST(CoarseUnknowns, AreZonesWhereClustersAreFewAndSharedWhereTheyAreMany) {
+TEST(CoarseUnknowns, AreAggregatesWhereClustersAreFewAndSharedWhereTheyAreMany) {
   std::vector<Cluster> clusters(3);
   for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].id = ClusterId(i);
   clusters[0].area_m2 = 3.0;

@@ -1,0 +1,90 @@
+#include "gather/gathered_light.hpp"
+
+#include <algorithm>
+
+namespace enfilade {
+
+GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights)
+    : receiver_(receiver),
+      lights_(lights),
+      bands_(static_cast<std::size_t>(receiver.bands())),
+      terms_(static_cast<std::size_t>(receiver.terms())),
+      light_(bands_ * terms_),
+      means_(bands_) {}
+
+double GatheredLight::read(const Link& link, const PatchForest* shooter) {
+  const double variation = read_light(link, shooter);
+  for (std::size_t b = 0; b < bands_; ++b) means_[b] = light_[b * terms_];
+  return variation;
+}
+
+/// Where a linear shooting patch has not been made by its owner, light_ is its ancestor's affine
+/// function about the patch's own centroid.
+double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
+  std::fill(light_.begin(), light_.end(), 0.0);
+  if (shooter == nullptr) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      light_[b * terms_] = lights_[link.shooter.root].intensity[b];
+    }
+    return 0.0;
+  }
+  if (link.shooter.is_group()) {
+    const std::span<const double> mean = shooter->group_radiosity(link.shooter.group());
+    for (std::size_t b = 0; b < bands_; ++b) light_[b * terms_] = mean[b];
+    return shooter->group_deviation(link.shooter.group());
+  }
+  const std::size_t node = shooter->find(link.shooter);
+  const std::span<const double> radiosity = shooter->radiosity(node);
+  std::copy(radiosity.begin(), radiosity.end(), light_.begin());
+  if (terms_ == 3 && shooter->node(node).id != link.shooter) {
+    const Vec2 shift = Vec2(link.shooter_x, link.shooter_y) - shooter->node(node).shape.centroid;
+    for (std::size_t t = 0; t < light_.size(); t += 3) {
+      light_[t] += light_[t + 1] * shift.x + light_[t + 2] * shift.y;
+    }
+  }
+  return shooter->deviation(node);
+}
+
+void GatheredLight::receive(const Link& link, std::span<const float> transport) {
+  irradiance();
+  link.receiver.is_group() ? receive_group(link, transport) : receive_patch(link, transport);
+}
+
+/// transport[0] is the irradiance of a plane that faces the light; each polygon of the group gets
+/// the share of its cosine to it.
+void GatheredLight::receive_group(const Link& link, std::span<const float> transport) {
+  for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double cosine) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      irradiance_[(k * bands_ + b) * terms_] += transport[0] * cosine * means_[b];
+    }
+  });
+}
+
+void GatheredLight::receive_patch(const Link& link, std::span<const float> transport) {
+  double* to = irradiance_.data() + receiver_.find(link.receiver) * bands_ * terms_;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    for (std::size_t r = 0; r < terms_; ++r) {
+      double sum = 0.0;
+      for (std::size_t s = 0; s < terms_; ++s)
+        sum += transport[r * terms_ + s] * light_[b * terms_ + s];
+      to[b * terms_ + r] += sum;
+    }
+  }
+}
+
+std::vector<double>& GatheredLight::irradiance() {
+  irradiance_.resize(receiver_.size() * bands_ * terms_, 0.0);
+  return irradiance_;
+}
+
+Spectrum GatheredLight::power() const {
+  Spectrum power(bands_, 0.0);
+  for (std::size_t n = 0; n * bands_ * terms_ < irradiance_.size(); ++n) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      power[b] += receiver_.node(n).shape.area_m2 * irradiance_[(n * bands_ + b) * terms_];
+    }
+  }
+  return power;
+}
+
+}  // namespace enfilade

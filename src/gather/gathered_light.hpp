@@ -1,0 +1,43 @@
+// What the links of one receiving cluster bring to the nodes of its hierarchy.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hierarchy/cluster_state.hpp"
+#include "hierarchy/link.hpp"
+
+namespace enfilade {
+
+/// Reads the light of shooters and sums, link by link, the irradiance at the receiving nodes.
+class GatheredLight {
+ public:
+  /// `receiver` may get more patches between the calls. Both must outlive the object.
+  GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights);
+
+  /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light where
+  /// that is null. Returns its RMS variation over the shooter (worst band; 0 for a light).
+  double read(const Link& link, const PatchForest* shooter);
+  /// Of the shooter read last: mean radiosity per band, or the light's intensity.
+  std::span<const double> means() const { return means_; }
+  /// Adds the light read last, by the link's transport, to the irradiance of its receiver.
+  void receive(const Link& link, std::span<const float> transport);
+
+  /// Makes room for patches made since. The irradiance is indexed like the light of the patches.
+  std::vector<double>& irradiance();
+  /// Per band: sum of area times irradiance over all nodes.
+  Spectrum power() const;
+
+ private:
+  double read_light(const Link& link, const PatchForest* shooter);
+  void receive_group(const Link& link, std::span<const float> transport);
+  void receive_patch(const Link& link, std::span<const float> transport);
+
+  const PatchForest& receiver_;
+  std::span<const PointLight> lights_;
+  std::size_t bands_, terms_;
+  std::vector<double> irradiance_;
+  std::vector<double> light_, means_;  ///< of the shooter read last: as the basis has it; per band
+};
+
+}  // namespace enfilade

@@ -1,0 +1,93 @@
+#include "gather/push_pull.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+/// Power that arrives at the leaves: [aggregate * bands + band].
+std::vector<double> arriving_power(const ClusterState& receiver) {
+  const PatchForest& patches = receiver.patches();
+  const auto bands = static_cast<std::size_t>(patches.bands()),
+             terms = static_cast<std::size_t>(patches.terms());
+  std::vector<double> sums(receiver.aggregates().size() * bands, 0.0), power(bands);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    if (!patches.node(n).leaf()) continue;
+    for (std::size_t b = 0; b < bands; ++b) {
+      power[b] = patches.node(n).shape.area_m2 * patches.irradiance(n)[b * terms];
+    }
+    receiver.aggregates().add(patches, patches.node(n).id, power, sums);
+  }
+  return sums;
+}
+
+/// Sums the power that arrives at the leaves, and what becomes of it.
+void add_balance(const ClusterState& receiver, IterationFigures& figures, CoarseRow& row) {
+  const PatchForest& patches = receiver.patches();
+  const auto bands = static_cast<std::size_t>(patches.bands()),
+             terms = static_cast<std::size_t>(patches.terms());
+  Spectrum absorbed(bands), escaping(bands);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const PatchNode& node = patches.node(n);
+    if (!node.leaf()) continue;
+    const double area_m2 = node.shape.area_m2;
+    const double enclosed_share = patches.enclosed_share(n);  // negative: not measured
+    const double open_share = enclosed_share >= 0.0 ? 1.0 - enclosed_share : 0.0;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const double power = area_m2 * patches.irradiance(n)[b * terms];
+      const double reflectance = patches.frames()[node.id.root].reflectance[b];
+      absorbed[b] = (1.0 - reflectance) * power;
+      escaping[b] = open_share * reflectance * power;
+      figures.arriving_power[b] += power;
+      figures.absorbed_power[b] += absorbed[b];
+      figures.escaping_power[b] += open_share * area_m2 * patches.radiosity(n)[b * terms];
+    }
+    receiver.aggregates().add(patches, node.id, absorbed, row.absorbed);
+    receiver.aggregates().add(patches, node.id, escaping, row.escaping);
+  }
+}
+
+/// Sums how the leaves' radiosity has changed; `before`: that of all nodes.
+void add_change(const PatchForest& patches, std::span<const double> before,
+                IterationFigures& figures) {
+  const auto bands = static_cast<std::size_t>(patches.bands()),
+             terms = static_cast<std::size_t>(patches.terms());
+  Spectrum change(bands, 0.0);
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    if (!patches.node(n).leaf()) continue;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const double delta =
+          std::abs(patches.radiosity(n)[b * terms] - before[(n * bands + b) * terms]);
+      figures.max_change = std::max(figures.max_change, delta);
+      change[b] += patches.node(n).shape.area_m2 * delta;
+    }
+  }
+  figures.change_power = *std::max_element(change.begin(), change.end());
+}
+
+}  // namespace
+
+void push_pull(ClusterState& receiver, std::span<const double> gathered, IterationFigures& figures,
+               CoarseRow& row) {
+  PatchForest& patches = receiver.patches();
+  const auto bands = static_cast<std::size_t>(patches.bands());
+  const std::vector<double> before(patches.radiosities().begin(), patches.radiosities().end());
+  row.before = arriving_power(receiver);
+  patches.push_pull(gathered);
+  figures.work.push_pulls += patches.size();
+  add_change(patches, before, figures);
+  row.after = arriving_power(receiver);
+  row.aggregates = receiver.aggregates().size();
+  row.absorbed.assign(row.aggregates * bands, 0.0);
+  row.escaping.assign(row.aggregates * bands, 0.0);
+  for (Spectrum* power :
+       {&figures.arriving_power, &figures.absorbed_power, &figures.escaping_power}) {
+    power->assign(bands, 0.0);
+  }
+  add_balance(receiver, figures, row);
+  figures.received_power =
+      *std::max_element(figures.arriving_power.begin(), figures.arriving_power.end());
+}
+
+}  // namespace enfilade

@@ -1,0 +1,18 @@
+// Push-pull of what was gathered for one cluster, and the cluster's power balance.
+#pragma once
+
+#include <span>
+
+#include "coarse/coarse_row.hpp"
+#include "gather/iteration_figures.hpp"
+#include "hierarchy/cluster_state.hpp"
+
+namespace enfilade {
+
+/// Pushes `gathered` (irradiance at every node, indexed like the light) to the leaves and pulls it
+/// up. Sets the figures of change, received, arriving, absorbed and escaping power, and the powers
+/// (not the entries) of the coarse row.
+void push_pull(ClusterState& receiver, std::span<const double> gathered, IterationFigures& figures,
+               CoarseRow& row);
+
+}  // namespace enfilade
