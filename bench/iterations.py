@@ -2,9 +2,10 @@
 coarse correction, as in RR-3425 (section 8), and by Jacobi's method.
 
 usage: iterations.py BIN_DIRECTORY SCENE.json OUT.csv [--reflectances 0.5,0.9,0.99] [--ranks 1,2,4,8,32] [--tolerance 1e-6]
-                     [--epsilon E] [--schemes corrected,paper,jacobi]
+                     [--epsilon E] [--schemes corrected,paper,jacobi] [--append]
 
-Every surface of the scene gets the reflectance; --epsilon is that of `enfilade solve`. Runs on SimGrid, so that many ranks need no cores."""
+Every surface of the scene gets the reflectance; --epsilon is that of `enfilade solve`; --append keeps the rows that OUT.csv has.
+Runs on SimGrid, so that many ranks need no cores."""
 import argparse
 import csv
 import json
@@ -26,11 +27,15 @@ def main():
     parser.add_argument("--ranks", default="1,2,4,8,32")
     parser.add_argument("--tolerance", default="1e-6")
     parser.add_argument("--epsilon")
+    parser.add_argument("--append", action="store_true")
     parser.add_argument("--schemes", default=",".join(SCHEMES))
     options = parser.parse_args()
     with open(options.scene, encoding="utf-8") as file:
         scene = json.load(file)
     rows = []
+    if options.append:
+        with open(options.out, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
     for reflectance in map(float, options.reflectances.split(",")):
         for ranks in map(int, options.ranks.split(",")):
             row = {"reflectance": reflectance, "ranks": ranks}
