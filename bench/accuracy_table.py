@@ -3,11 +3,13 @@
 
 usage: bench/accuracy_table.py build/release/bin/enfilade [SCENE ...] [--points] [--target-error 0.02 0.01 ...]
 
-SCENE is a scene's name there (default: all with a dense reference, and the CIE 171 cases). --points prints a line a point.
+SCENE is a scene's name there (default: all with a dense reference, and the CIE 171 cases). --points prints a row a point instead:
+where the answer is 0, the light found as a share of the largest in its scene.
 """
 import argparse
 import json
 import os
+import re
 import subprocess
 import tempfile
 
@@ -64,22 +66,34 @@ def main():
     parser.add_argument("scenes", nargs="*", default=SCENES)
     parser.add_argument("--target-error", nargs="+", type=float, default=[0.02])
     parser.add_argument("--points", action="store_true")
-    options = parser.parse_args()
-    print("| scene | asked % | links | rays | estimated % | gather: L1 % | RMS % | worst % | patches: L1 % | RMS % |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    options = parser.parse_intermixed_args()
+    print("| case | point | normal | reference | found | error % |\n| --- | --- | --- | --- | --- | --- |" if options.points else
+          "| scene | asked % | links | rays | estimated % | gather: L1 % | RMS % | worst % | patches: L1 % | RMS % |\n"
+          "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:
         for scene in options.scenes:
             path, want = reference_of(scene)
             for target in options.target_error:
                 stats, answers = solve(options.enfilade, scene, target, path, folder)
+                if options.points:
+                    print_points(scene, want, answers["gather"])
+                    continue
                 l1, rms, points = errors(want, answers["gather"])
                 patch_l1, patch_rms, _ = errors(want, answers["patches"])
                 print(f"| {scene} | {100 * target:g} | {stats['links']:,} | {stats['rays']:,} | "
                       f"{100 * stats['estimated_error']:.2f} | {100 * l1:.3f} | {100 * rms:.3f} | {100 * max(points):.2f} | "
                       f"{100 * patch_l1:.2f} | {100 * patch_rms:.2f} |", flush=True)
-                for point, got, error in zip(want, answers["gather"], points) if options.points else []:
-                    shown = [" ".join(f"{x:.5g}" for x in row[:len(got)]) for row in (point["E"], got)]
-                    print(f"    {point['p']} {point['n']}: {shown[0]} (reference), {shown[1]}, {100 * error:.3f} %")
+
+
+def print_points(scene, want, got):
+    """The band that is worst at each point."""
+    case = re.sub(r"(?<=\d)m$", " m", scene.removeprefix("cie_").replace("_", ".", 1).replace("_", " "))
+    largest = max(max(point["E"]) for point in want)
+    for point, answer in zip(want, got):
+        off, exact, found = max((abs(f - e) / (e or largest), e, f) for e, f in zip(point["E"], answer))
+        place, normal = (" ".join(f"{x:g}" for x in point[key]) for key in ("p", "n"))
+        print(f"| {case} | {place} | {normal} | {exact:.5g} | {found:.5g} | {100 * off:.3f}{'' if exact else ' of the largest'} |",
+              flush=True)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
 """Estimated error against the true one: solves scenes with known answers at several asked errors, a CSV line each.
 
-usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--bases linear,constant] [--ranks N]
+usage: estimates.py ENFILADE OUT.csv [--targets 0.1,0.03,...] [--bases linear,constant] [--ranks N] [--append]
                     SCENE.json[:REFERENCE.json] ...
 
 A reference is a probe file with the answer `E` (and its own error `err` or `sigma`) at each point; without one the
-scene's own probes are. The true error is the relative L1 over the points beyond the reference's error, worst band:
+scene's own probes are. --append keeps the rows that OUT.csv has. The true error is the relative L1 over the points beyond the reference's error, worst band:
 of the light gathered at the points, and of that read off the patches where points lie on a surface (not `where` says
 "work plane"). `user_s` are the user seconds of the whole run, preparation and all ranks."""
 import argparse
@@ -32,14 +32,18 @@ def main():
     parser.add_argument("--targets", default="0.1,0.03,0.01,0.003")
     parser.add_argument("--bases", default="linear")
     parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--append", action="store_true")
     options = parser.parse_args()
-    rows = []
+    before, rows = [], []
+    if options.append:
+        with open(options.out, encoding="utf-8", newline="") as file:
+            before = list(csv.DictReader(file))
     for case in options.cases:
         scene, _, reference = case.partition(":")
         for target, basis in itertools.product(options.targets.split(","), options.bases.split(",")):
             rows.append(measure(options, scene, reference or scene, target, basis))
             print(*(f"{key}={shown(rows[-1].get(key, ''))}" for key in COLUMNS), flush=True)
-            write(options.out, rows)
+            write(options.out, before + rows)
     for basis in options.bases.split(","):
         print(end=f"{basis}: ")
         judge([row for row in rows if row["basis"] == basis])

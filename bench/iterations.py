@@ -2,8 +2,10 @@
 coarse correction, as in RR-3425 (section 8), and by Jacobi's method.
 
 usage: iterations.py BIN_DIRECTORY SCENE.json OUT.csv [--reflectances 0.5,0.9,0.99] [--ranks 1,2,4,8,32] [--tolerance 1e-6]
+                     [--epsilon E] [--schemes corrected,paper,jacobi] [--append]
 
-Every surface of the scene gets the reflectance. Runs on SimGrid, so that many ranks need no cores."""
+Every surface of the scene gets the reflectance; --epsilon is that of `enfilade solve`; --append keeps the rows that OUT.csv has.
+Runs on SimGrid, so that many ranks need no cores."""
 import argparse
 import csv
 import json
@@ -12,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 
+SCHEMES = {"corrected": [], "paper": ["--no-coarse-correction"], "jacobi": ["--no-coarse-correction", "--iteration", "jacobi"]}
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -23,16 +26,21 @@ def main():
     parser.add_argument("--reflectances", default="0.5,0.9,0.99")
     parser.add_argument("--ranks", default="1,2,4,8,32")
     parser.add_argument("--tolerance", default="1e-6")
+    parser.add_argument("--epsilon")
+    parser.add_argument("--append", action="store_true")
+    parser.add_argument("--schemes", default=",".join(SCHEMES))
     options = parser.parse_args()
     with open(options.scene, encoding="utf-8") as file:
         scene = json.load(file)
     rows = []
+    if options.append:
+        with open(options.out, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
     for reflectance in map(float, options.reflectances.split(",")):
         for ranks in map(int, options.ranks.split(",")):
             row = {"reflectance": reflectance, "ranks": ranks}
-            for scheme, words in (("corrected", []), ("paper", ["--no-coarse-correction"]),
-                                  ("jacobi", ["--no-coarse-correction", "--iteration", "jacobi"])):
-                row[scheme] = iterations(options, scene, reflectance, ranks, words)
+            for scheme in options.schemes.split(","):
+                row[scheme] = iterations(options, scene, reflectance, ranks, SCHEMES[scheme])
             rows.append(row)
             print(*(f"{key} {value}" for key, value in row.items()), flush=True)
             with open(options.out, "w", encoding="utf-8", newline="") as file:
@@ -54,7 +62,8 @@ def iterations(options, scene, reflectance, ranks, words):
         subprocess.run(["smpirun", "-np", str(ranks), "-platform", os.path.join(platforms, "office.xml"), "-hostfile",
                         os.path.join(platforms, "office-4.hosts"), os.path.join(options.bin, "enfilade-smpi"), "solve",
                         path, "-o", os.path.join(folder, "run"), "--tolerance", options.tolerance,
-                        "--max-iterations", "5000", "--no-pictures", "--quiet", *words],
+                        "--max-iterations", "5000", "--no-pictures", "--quiet", *words,
+                        *(["--epsilon", options.epsilon] if options.epsilon else [])],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with open(os.path.join(folder, "run", "stats.json"), encoding="utf-8") as file:
             stats = json.load(file)
