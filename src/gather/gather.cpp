@@ -93,7 +93,7 @@ void Gatherer::gather_from(const ClusterState& shooter) {
 void Gatherer::refine_links(std::size_t begin, std::size_t end, const PatchForest* shooter) {
   const LinkSet& links = receiver_.links();
   for (std::size_t i = begin; i < end; ++i) {
-    if (refinement_.fine_as_it_is(links[i], links.transport(i), shooter)) {
+    if (refinement_.accurate_enough(links[i], links.transport(i), shooter)) {
       if (changed_) refined_.add(links[i], links.transport(i));
       continue;
     }

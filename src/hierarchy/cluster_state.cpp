@@ -1,18 +1,8 @@
 #include "hierarchy/cluster_state.hpp"
 
-#include "base/byte_stream.hpp"
 #include "hierarchy/cluster_codec.hpp"
 
 namespace enfilade {
-
-template <>
-inline constexpr bool has_no_padding<MeshLine> = sizeof(MeshLine) == 4 * sizeof(double);
-template <>
-inline constexpr bool has_no_padding<GroupNode> = sizeof(GroupNode) ==
-                                                  4 * sizeof(std::uint32_t) + 7 * sizeof(double);
-template <>
-inline constexpr bool has_no_padding<Link> =
-    true;  // but one byte: until its fields are written one by one
 
 namespace {
 

@@ -19,6 +19,7 @@
 #include "report/page/rank_timeline.hpp"
 #include "run/history.hpp"
 #include "run/prepare.hpp"
+#include "run/run_mark.hpp"
 #include "run/stats_json.hpp"
 #include "scene_file/scene_io.hpp"
 #include "schemes/protocol/prepare_on_root.hpp"

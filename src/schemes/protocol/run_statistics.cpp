@@ -61,8 +61,8 @@ void set_figures(RunRecord& record, const IterationFigures& figures, InStats whe
 /// iteration that closed rows; nothing where none did.
 std::optional<double> mean_row_deficit(const std::vector<IterationSummary>& history) {
   for (std::size_t i = history.size(); i-- > 0;) {
-    const IterationFigures& sums = history[i].sums;
-    if (sums.row_closed_m2 > 0.0) return sums.row_deficit_m2 / sums.row_closed_m2;
+    const IterationFigures& figures = history[i].figures;
+    if (figures.row_closed_m2 > 0.0) return figures.row_deficit_m2 / figures.row_closed_m2;
   }
   return std::nullopt;
 }
