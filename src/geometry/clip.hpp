@@ -45,7 +45,9 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, do
 /// Keeps what lies behind the plane (or within `tolerance` of it), in place; the same points as
 /// `split` makes, but a polygon that lies in the plane is kept.
 void clip_behind(Polygon& polygon, const Plane& plane, double tolerance);
-/// Keeps what lies in front of the plane (or within `tolerance` of it), in place.
+/// Keeps what lies in front of the plane (or within `tolerance` of it), in place. Crossings are
+/// computed from their ends behind the plane, where `split` takes those in front: they may differ
+/// by rounding.
 void clip_front(Polygon& polygon, const Plane& plane, double tolerance);
 
 /// Keeps what of the segment lies in front of the plane; false, and the segment as it was, where no

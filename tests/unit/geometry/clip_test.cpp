@@ -91,7 +91,7 @@ TEST(Clip, DifferenceAndIntersectionAddUp) {
   }
 }
 
-TEST(Clip, KeepsTheSamePointsAsSplitMakes) {
+TEST(Clip, KeepsTheHalvesThatSplitMakes) {
   Random random(17);
   for (int i = 0; i < 200; ++i) {
     const Polygon p = regular(3 + static_cast<int>(random.below(6)), {1, 2, 3}, 2.0, 1.0);
@@ -103,7 +103,9 @@ TEST(Clip, KeepsTheSamePointsAsSplitMakes) {
     clip_behind(behind, plane, 1e-9);
     const auto parts = split(p, plane, 1e-9);
     EXPECT_EQ(behind, parts.second);
-    EXPECT_EQ(front, parts.first);
+    ASSERT_EQ(front.size(), parts.first.size());
+    for (std::size_t k = 0; k < front.size(); ++k)
+      EXPECT_LT(glm::length(front[k] - parts.first[k]), 1e-14);
   }
 }
 
