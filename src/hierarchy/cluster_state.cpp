@@ -5,15 +5,6 @@
 
 namespace enfilade {
 
-template <>
-inline constexpr bool has_no_padding<MeshLine> = sizeof(MeshLine) == 4 * sizeof(double);
-template <>
-inline constexpr bool has_no_padding<GroupNode> = sizeof(GroupNode) ==
-                                                  4 * sizeof(std::uint32_t) + 7 * sizeof(double);
-template <>
-inline constexpr bool has_no_padding<Link> =
-    true;  // but one byte: until its fields are written one by one
-
 namespace {
 
 /// The frame of a polygon: its origin is the centroid, and its first axis runs along the longest
