@@ -1,20 +1,18 @@
 #include "hierarchy/cluster_codec.hpp"
 
 #include <array>
-#include <bit>
 #include <cstring>
 #include <type_traits>
 
 #include "base/error.hpp"
 
 namespace enfilade {
-namespace {
 
-// Fields are copied as they lie in memory, and files are little-endian.
-static_assert(std::endian::native == std::endian::little);
-// Lists of vectors and mesh lines are copied in one piece.
-static_assert(sizeof(Vec2) == 2 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double));
-static_assert(sizeof(MeshLine) == 4 * sizeof(double));
+// Lists of mesh lines are copied in one piece.
+template <>
+inline constexpr bool has_no_padding<MeshLine> = sizeof(MeshLine) == 4 * sizeof(double);
+
+namespace {
 
 /// Writes the fields side by side as one record without padding.
 template <class... Fields>

@@ -13,7 +13,7 @@ namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> mark = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 2;  // 2: without padding
+constexpr std::uint32_t version = 3;  // 2: links without padding; 3: the header as well
 
 /// The header without its own checksum.
 constexpr std::size_t summed_bytes =

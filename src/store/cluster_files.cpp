@@ -1,5 +1,7 @@
 #include "store/cluster_files.hpp"
 
+#include "hierarchy/cluster_codec.hpp"
+
 namespace enfilade {
 
 SectionName ClusterFiles::patches_of(ClusterId id, Light light) const {
@@ -26,8 +28,9 @@ std::unique_ptr<ClusterState> ClusterFiles::read_shooter(ClusterId id, Light lig
 
 void ClusterFiles::read_links(ClusterState& cluster) {
   const SectionFile links = load_section({cluster.id(), Section::links});
-  cluster = ClusterState(cluster.bytes_of(Section::geometry), cluster.bytes_of(Section::patches),
-                         links.bytes);
+  ByteReader reader(links.bytes, "a cluster's record");
+  cluster.links() = ClusterCodec::read_links(reader, cluster.links().stride());
+  reader.expect_end();
 }
 
 SectionBytes ClusterFiles::write(const ClusterState& cluster, bool links_changed) {
