@@ -90,17 +90,16 @@ Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
 
 Warnings correction_failures(const std::string& run_directory,
                              const std::vector<IterationSummary>& history) {
-  std::string iterations;
-  for (const IterationSummary& summary : history) {
-    if (!summary.correction_failed) continue;
-    iterations += (iterations.empty() ? "" : ", ") + std::to_string(summary.plan.iteration);
-  }
+  const auto failures =
+      std::count_if(history.begin(), history.end(),
+                    [](const IterationSummary& s) { return s.correction_failed; });
   Warnings warnings;
-  if (iterations.empty()) return warnings;
-  warnings.add(run_directory,
-               "the coarse correction could not be solved after iteration " + iterations +
-                   ", and was left out there; the light is as good as estimated, it took more "
-                   "iterations");
+  if (failures > 0) {
+    warnings.add(run_directory,
+                 fmt::format("the coarse correction could not be solved after {} of {} iterations, "
+                             "and was left out there; the estimated error accounts for it",
+                             failures, history.size()));
+  }
   return warnings;
 }
 

@@ -35,7 +35,7 @@ std::string solve_summary(const std::string& run_directory, const RunRecord& rec
 Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
                       int max_iterations);
 
-/// A warning that names the iterations whose coarse correction could not be solved.
+/// A warning with the number of iterations whose coarse correction could not be solved.
 Warnings correction_failures(const std::string& run_directory,
                              const std::vector<IterationSummary>& history);
 

@@ -32,15 +32,12 @@ TEST(SolveSummary, AShortfallComesWithItsRemedy) {
   EXPECT_THAT(warning(8), testing::HasSubstr("--target-error"));
 }
 
-TEST(SolveSummary, NamesTheIterationsWithoutACoarseCorrection) {
+TEST(SolveSummary, CountsTheIterationsWithoutACoarseCorrection) {
   std::vector<IterationSummary> history(4);
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    history[i].plan.iteration = static_cast<int>(i) + 1;
-  }
   EXPECT_TRUE(correction_failures("run", history).empty());
   history[1].correction_failed = history[3].correction_failed = true;
   EXPECT_THAT(correction_failures("run", history).summary().at(0),
-              testing::HasSubstr("after iteration 2, 4, and was left out"));
+              testing::HasSubstr("after 2 of 4 iterations, and was left out"));
 }
 
 TEST(SolveProgress, RunsFromTheFirstErrorToTheTarget) {
