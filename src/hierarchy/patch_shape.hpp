@@ -7,7 +7,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include "base/byte_stream.hpp"
 #include "base/geometry.hpp"
 
 namespace enfilade {
@@ -17,8 +16,6 @@ namespace enfilade {
 struct MeshLine {
   Vec2 a{0.0}, b{0.0};
 };
-template <>
-inline constexpr bool has_no_padding<MeshLine> = sizeof(MeshLine) == 2 * sizeof(Vec2);
 
 /// How a patch is cut in two: the first half lies where dot(axis, p) < at.
 struct PatchCut {

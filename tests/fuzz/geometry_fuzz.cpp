@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fuzz_target.hpp"
+#include "geometry/clip.hpp"
 #include "geometry/form_factor.hpp"
 #include "scene/convex_parts.hpp"
 

@@ -26,7 +26,7 @@ TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
     return is_prepared(run, scene.hash, changed);
   };
   EXPECT_FALSE(other([](PrepareConfig& c) { c.cells.tolerance_relative *= 1.0 + 1e-15; }));
-  EXPECT_FALSE(other([](PrepareConfig& c) { c.sealed.seed = 2; }));
+  EXPECT_FALSE(other([](PrepareConfig& c) { c.unreachable.seed = 2; }));
   EXPECT_FALSE(other([](PrepareConfig& c) { c.clusters.max_polygons = 8; }));
   std::filesystem::remove_all(run);
 }
