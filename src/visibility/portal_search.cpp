@@ -33,7 +33,7 @@ struct Step {
 };
 
 /// Depth-first search with a stack of its own: in a building whose walls have many layers a
-/// sequence can pass tens of thousands of portals.
+/// search gets thousands of steps deep, at most one for each pass of a doorway.
 class Search {
  public:
   Search(const DoorwayMap& doorways, std::span<const SourcePolygon> source, int max_passes,

@@ -71,7 +71,7 @@ TEST(PortalSearch, APathOfItsOwnBeginsWithoutWindows) {
 }
 
 TEST(PortalSearch, AnySequenceFitsOnASmallStack) {
-  // Layered walls of real buildings make sequences of tens of thousands of portals.
+  // Layered walls of real buildings make searches of thousands of steps.
   constexpr std::uint32_t portals = 2000;
   static std::vector<std::uint32_t> cells;
   pthread_attr_t small;
