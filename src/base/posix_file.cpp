@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -125,13 +126,18 @@ void flush_to_disk(const std::string& directory) {
 }
 
 void make_directory(const std::string& path) {
+  namespace fs = std::filesystem;
+  // A rank that is done may take the empty parent away at any time: both steps are then repeated.
+  // No rank does so twice, so that a second is more than enough on the slowest of machines.
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  const fs::path parent = fs::path(path).parent_path();
   std::error_code code;
-  // A rank that is done may take the empty parent away between the two steps.
-  for (int tries = 0; tries < 100; ++tries) {
-    std::filesystem::create_directories(path, code);
-    if (code != std::errc::no_such_file_or_directory && code != std::errc::file_exists) break;
-  }
-  if (code || !std::filesystem::is_directory(path)) {
+  do {
+    if (!parent.empty()) fs::create_directories(parent, code);
+    fs::create_directory(path, code);
+  } while (code == std::errc::no_such_file_or_directory &&
+           std::chrono::steady_clock::now() < give_up);
+  if (code || !fs::is_directory(path)) {
     fail(path, "cannot be made a directory", code ? code.value() : ENOTDIR);
   }
 }

@@ -16,7 +16,8 @@ struct SolverConfig {
   double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
-  /// With more links than this, what is read off patches is not held to target_error; 0 = never.
+  /// With more links than this, target_error does not apply to values read off patches; 0 = no
+  /// limit.
   std::uint64_t patch_links = 500000;
   int max_iterations = 200;
   GatherSettings gather;

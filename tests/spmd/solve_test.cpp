@@ -56,7 +56,7 @@ RunRecord solve_furnace(Context& context, SolveConfig config) {
 void solve_to_the_end(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
-  config.coarse_correction = false;
+  config.method.coarse_correction = false;
   config.tolerance = 1e-9;
   const RunRecord record = solve_furnace(context, config);
   context.communicator.on_root([&] {
@@ -69,12 +69,13 @@ void solve_rooms_with_a_master(Context& context, Scheme scheme) {
   SolveConfig config;
   config.scheme = scheme;
   solve_furnace(context, config);
-  config.coarse_correction = false;  // whose numbers are by far the longest of spmd's messages
+  config.method.coarse_correction =
+      false;  // whose numbers are by far the longest of spmd's messages
   const RunRecord dealt = solve_furnace(context, config);
   config.steal = false;
   const RunRecord planned = solve_furnace(context, config);
   config = SolveConfig{};
-  config.coarse_correction = false;
+  config.method.coarse_correction = false;
   const RunRecord spmd = solve_furnace(context, config);
   context.communicator.on_root([&] {
     SPMD_CHECK(planned.number("steals", 1) == 0, "stolen without stealing");
@@ -92,7 +93,7 @@ void solve_rooms(Context& context) { solve_furnace(context, {}); }
 
 void solve_rooms_as_in_the_paper(Context& context) {
   SolveConfig config;
-  config.coarse_correction = false;
+  config.method.coarse_correction = false;
   solve_furnace(context, config);
 }
 
@@ -114,10 +115,10 @@ void solve_to_the_end_replicated(Context& context) {
 
 void solve_rooms_by_jacobi(Context& context) {
   SolveConfig config;
-  config.coarse_correction = false;
+  config.method.coarse_correction = false;
   config.tolerance = 1e-6;
   const double seidel = solve_furnace(context, config).number("iterations", 0);
-  config.jacobi = true;
+  config.method.jacobi = true;
   const double jacobi = solve_furnace(context, config).number("iterations", 0);
   context.communicator.on_root([&] {
     SPMD_CHECK(jacobi > seidel, std::to_string(jacobi) + " iterations, " + std::to_string(seidel));
@@ -170,7 +171,7 @@ void schemes_give_the_sequential_light(Context& context) {
     SolveConfig config;
     config.run_directory = run;
     config.target_error = sequential.target_error;
-    config.jacobi = true;
+    config.method.jacobi = true;
     config.scheme = scheme;
     const RunRecord record = solve(config, prepared, context.communicator, context.machine);
     context.communicator.on_root([&] {
@@ -204,7 +205,7 @@ void replay_rooms(Context& context) {
     SolveConfig config;
     config.run_directory = run;
     config.target_error = 0.1;
-    config.coarse_correction = !little;
+    config.method.coarse_correction = !little;
     config.memory_bytes = little ? 60'000 : 0;
     const RunRecord solved = solve(config, prepared, context.communicator, context.machine);
     config.run_directory = context.directory + "/REPLAYED";

@@ -12,7 +12,7 @@ void describe_strategies(RunRecord& record, const SolveConfig& config) {
   record.set("scheme", name_of(config.scheme));
   record.set("assignment", name_of(config.assignment));
   record.set("order", name_of(config.order));
-  record.set("iteration", config.jacobi ? "jacobi" : "hybrid");
+  record.set("iteration", config.method.jacobi ? "jacobi" : "hybrid");
   record.set("steal", config.steal);
   record.set("memory_manager", name_of(config.memory_manager));
   record.set("memory_bytes", config.memory_bytes);
@@ -23,7 +23,7 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("target_error", config.target_error);
   record.set("patch_links", config.patch_links);
-  record.set("coarse_correction", config.coarse_correction);
+  record.set("coarse_correction", config.method.coarse_correction);
   describe_strategies(record, config);
 }
 

@@ -209,7 +209,7 @@ SolveConfig SolveOptions::config() const {
   SolveConfig config;
   config.run_directory = run_directory();
   config.local_directory = local_directory;
-  config.basis = basis_of(basis);
+  config.gather.basis = basis_of(basis);
   config.target_error = target_error;
   config.epsilon = epsilon;
   config.tolerance = tolerance;
@@ -220,13 +220,13 @@ SolveConfig SolveOptions::config() const {
   config.scheme = scheme_of(scheme);
   config.assignment = assignment_method(assignment);
   config.order = tour_order(order);
-  config.jacobi = iteration == "jacobi";
+  config.method.jacobi = iteration == "jacobi";
   config.steal = !no_steal;
-  config.coarse_correction = !no_correction;
+  config.method.coarse_correction = !no_correction;
   config.resume = resume;
   config.max_iterations = max_iterations;
-  if (oracle == "bf") config.oracle = OracleKind::brightness_form_factor;
-  if (visibility == "rays") config.visibility = VisibilityMethod::rays;
+  if (oracle == "bf") config.gather.oracle = OracleKind::brightness_form_factor;
+  if (visibility == "rays") config.gather.visibility = VisibilityMethod::rays;
   return config;
 }
 

@@ -16,14 +16,15 @@ std::unique_ptr<Order> order_of(const SchemeParts& p) {
 
 std::unique_ptr<ParallelScheme> spmd(const SchemeParts& p) {
   const auto make_tasks = [p] { return TaskList(p.own, p.cost, order_of(p)); };
-  return std::make_unique<SpmdScheme>(p.store, make_tasks, p.communicator, p.machine,
-                                      SpmdConfig{p.config.steal, p.config.coarse_correction});
+  return std::make_unique<SpmdScheme>(
+      p.store, make_tasks, p.communicator, p.machine,
+      SpmdConfig{p.config.steal, p.config.method.coarse_correction});
 }
 
 std::unique_ptr<ParallelScheme> with_master(const SchemeParts& p,
                                             std::function<std::unique_ptr<Dealer>()> make_dealer) {
   return std::make_unique<MasterScheme>(p.store, std::move(make_dealer), p.communicator, p.machine,
-                                        p.config.coarse_correction);
+                                        p.config.method.coarse_correction);
 }
 
 }  // namespace

@@ -5,13 +5,10 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
-#include "gather/emitted_power.hpp"
 #include "run/history.hpp"
 #include "schemes/protocol/radiosity_work.hpp"
 #include "schemes/solve/make_scheme.hpp"
 #include "schemes/solve/run_ranks.hpp"
-#include "solver/energy_conservation.hpp"
-#include "solver/error_estimate.hpp"
 
 namespace enfilade {
 namespace {
@@ -73,7 +70,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       config.memory_bytes > 0 ? config.memory_bytes : machine.memory_bytes();
   const std::optional<Manifest> manifest = manifest_to_resume(config, prepared, layout);
   const Basis basis =
-      manifest ? manifest->basis : config.basis;  // a resumed solution keeps its basis
+      manifest ? manifest->basis : config.gather.basis;  // a resumed solution keeps its basis
 
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
@@ -81,42 +78,33 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
   const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
-  const IterationMethod method{config.coarse_correction, config.jacobi};
-  CostRecorder recorder(layout.run, communicator.rank(), method);
-  RadiosityWork work(
-      prepared, layout, scheme->files(), machine, recorder,
-      {{basis, config.max_depth, config.min_area_m2, config.oracle, config.visibility},
-       method,
-       memory,
-       config.memory_manager});
+  CostRecorder recorder(layout.run, communicator.rank(), config.method);
+  GatherSettings gather = config.gather;
+  gather.basis = basis;
+  RadiosityWork work(prepared, layout, scheme->files(), machine, recorder,
+                     {gather, config.method, memory, config.memory_manager});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
   } else {
     start_anew(parts, *scheme, basis, work, recorder);
   }
 
-  const Spectrum emitted = emitted_power(prepared.scene, prepared.clusters);
-  const PlanConfig plan_config{.emitted_power = emitted,
-                               .surfaces_power = surfaces_power(prepared.scene, emitted),
-                               .epsilon = config.epsilon,
-                               .tolerance = config.tolerance,
-                               .target_error = config.target_error,
-                               .patch_links = config.patch_links,
-                               .max_iterations = config.max_iterations};
+  const PlanConfig planning = plan_config(config, prepared.scene, prepared.clusters);
   std::vector<IterationSummary> history = history_of(manifest);
-  const IterationPlan plan = next_plan(history, plan_config);
+  const IterationPlan plan = next_plan(history, planning);
   const IterationRun iterate_all = [&](std::vector<IterationSummary>& so_far) {
     return scheme->run(
         work, plan, manifest ? manifest->correction : std::vector<double>{}, so_far,
-        [&](std::vector<IterationSummary>& done) { return end_iteration(done, plan_config); },
+        [&](std::vector<IterationSummary>& done) { return end_iteration(done, planning); },
         observer);
   };
-  RunRecord record = run_ranks({prepared, basis, emitted, std::move(history),
+  RunRecord record = run_ranks({prepared, basis, planning.emitted_power, std::move(history),
                                 [&] { return std::pair(store.count(), work.residency_count()); }},
                                communicator, machine, iterate_all);
   if (communicator.root()) {
-    record.set("oracle", config.oracle == OracleKind::error ? "error" : "bf");
-    record.set("visibility", config.visibility == VisibilityMethod::exact ? "exact" : "rays");
+    record.set("oracle", config.gather.oracle == OracleKind::error ? "error" : "bf");
+    record.set("visibility",
+               config.gather.visibility == VisibilityMethod::exact ? "exact" : "rays");
     record.set("solve_s", RunRecord::Value(seconds_of_wall() - wall_start_s));
     record.set("wall_s", RunRecord::Value(prepared.prepare_s + seconds_of_wall() - wall_start_s));
   }

@@ -20,16 +20,10 @@
 
 namespace enfilade {
 
-struct SolveConfig {
+/// What the solver is asked for, and how the ranks share the work.
+struct SolveConfig : SolverConfig {
   std::string run_directory;
   std::string local_directory;  ///< parent of the ranks' local directories; empty = RUN/local
-  Basis basis = Basis::linear;
-  double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
-  double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
-  double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
-  /// With more links than this, target_error does not apply to values read off patches; 0 = no
-  /// limit
-  std::uint64_t patch_links = 500000;
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
   MemoryManager memory_manager = MemoryManager::own;
@@ -38,14 +32,7 @@ struct SolveConfig {
   AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< of Scheme::spmd
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
-  bool coarse_correction = true;  ///< false: the paper's group iteration as it is
-  bool jacobi = false;  ///< every gather takes the last iteration's light, a rank's own included
   bool resume = false;  ///< go on from the last committed iteration
-  int max_iterations = 200;
-  OracleKind oracle = OracleKind::error;
-  VisibilityMethod visibility = VisibilityMethod::exact;
-  int max_depth = 20;  ///< of refinement, see GatherConfig
-  double min_area_m2 = 0.0;
 };
 
 /// All ranks call it with the same arguments; rank 0 calls `observer` after every committed

@@ -35,7 +35,7 @@ TEST(PosixFile, ADirectoryIsMadeWhileAnotherTakesItsParentAway) {
     // The pause leaves the maker whole tries: of many ranks each takes the parent away only once.
     for (std::error_code ignored; !done;) {
       fs::remove(parent, ignored);
-      std::this_thread::sleep_for(std::chrono::microseconds(20));
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
   });
   for (int i = 0; i < 3000; ++i) {

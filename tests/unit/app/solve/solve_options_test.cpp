@@ -18,13 +18,13 @@ TEST(SolveOptions, DefaultsAreTheSolversOwn) {
   const SolveConfig config = options.config(), expected;
   EXPECT_EQ(config.run_directory, "run");
   EXPECT_EQ(config.target_error, expected.target_error);
-  EXPECT_EQ(config.basis, expected.basis);
+  EXPECT_EQ(config.gather.basis, expected.gather.basis);
   EXPECT_EQ(config.assignment, expected.assignment);
   EXPECT_EQ(config.order, expected.order);
   EXPECT_EQ(config.steal, expected.steal);
-  EXPECT_EQ(config.jacobi, expected.jacobi);
+  EXPECT_EQ(config.method.jacobi, expected.method.jacobi);
   EXPECT_EQ(config.scheme, expected.scheme);
-  EXPECT_EQ(config.coarse_correction, expected.coarse_correction);
+  EXPECT_EQ(config.method.coarse_correction, expected.method.coarse_correction);
   EXPECT_EQ(config.memory_bytes, 0u);
 }
 
@@ -44,16 +44,16 @@ TEST(SolveOptions, EachOneReachesTheSolver) {
   options.no_steal = options.no_correction = options.resume = true;
   const SolveConfig config = options.config();
   EXPECT_EQ(config.memory_bytes, 3u << 19);
-  EXPECT_EQ(config.basis, Basis::constant);
+  EXPECT_EQ(config.gather.basis, Basis::constant);
   EXPECT_EQ(config.assignment, AssignmentMethod::round_robin);
-  EXPECT_EQ(config.oracle, OracleKind::brightness_form_factor);
-  EXPECT_EQ(config.visibility, VisibilityMethod::rays);
+  EXPECT_EQ(config.gather.oracle, OracleKind::brightness_form_factor);
+  EXPECT_EQ(config.gather.visibility, VisibilityMethod::rays);
   EXPECT_EQ(config.order, TourOrder::backtracking);
   EXPECT_EQ(config.scheme, Scheme::replicated);
   EXPECT_EQ(config.memory_manager, MemoryManager::malloc);
-  EXPECT_TRUE(config.jacobi);
+  EXPECT_TRUE(config.method.jacobi);
   EXPECT_FALSE(config.steal);
-  EXPECT_FALSE(config.coarse_correction);
+  EXPECT_FALSE(config.method.coarse_correction);
   EXPECT_TRUE(config.resume);
 }
 
@@ -81,8 +81,8 @@ TEST(SolveOptions, AutoLeavesTheBasisToTheProgramWhichTakesLinear) {
   EXPECT_FALSE(parsed({}).basis_is_given());
   EXPECT_FALSE(parsed({"--basis", "auto"}).basis_is_given());
   EXPECT_TRUE(parsed({"--basis", "linear"}).basis_is_given());
-  EXPECT_EQ(parsed({}).config().basis, Basis::linear);
-  EXPECT_EQ(parsed({"--basis", "auto"}).config().basis, Basis::linear);
+  EXPECT_EQ(parsed({}).config().gather.basis, Basis::linear);
+  EXPECT_EQ(parsed({"--basis", "auto"}).config().gather.basis, Basis::linear);
 }
 
 TEST(SolveOptions, ARunDirectoryIsSolvedInPlaceOrFromItsScene) {
