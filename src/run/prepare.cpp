@@ -79,14 +79,14 @@ void keep_scene(const Scene& scene, const std::string& path) {
   }
 }
 
-/// The bytes and their checksum.
+/// Writes the bytes, then their checksum (u64, little-endian).
 void keep(std::string bytes, const std::string& path) {
   const std::uint64_t sum = checksum(std::as_bytes(std::span(bytes)));
   bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   replace_file(path, bytes);
 }
 
-/// `from_bytes` of what was kept in RUN; what is wrong with it is told with its name.
+/// `from_bytes` of a file that keep() wrote. Throws RunError with the file's name.
 template <class FromBytes>
 auto load(const std::string& path, FromBytes from_bytes) {
   const std::string text = text_of(path);
@@ -102,7 +102,7 @@ auto load(const std::string& path, FromBytes from_bytes) {
   }
 }
 
-/// A run that is to be gone on with is not prepared anew, which would drop its solution.
+/// A run that is to be resumed is not prepared anew: that would remove its solution.
 void refuse_to_drop(const std::string& run_directory) {
   std::error_code code;
   if (!std::filesystem::exists(RunLayout(run_directory).manifest(), code)) return;
@@ -173,7 +173,7 @@ Prepared load_prepared(const std::string& run_directory) {
 
 namespace {
 
-/// One whose pairs are proved as well will do.
+/// A RUN whose hidden pairs were proved serves where no proof was asked for, too.
 bool serves(const std::string& run_directory, std::uint64_t scene_hash, PrepareConfig config) {
   if (is_prepared(run_directory, scene_hash, config)) return true;
   if (config.visibility.prove_hidden) return false;

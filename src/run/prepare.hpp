@@ -1,4 +1,4 @@
-// A prepared scene in a RUN directory: made, kept and loaded again. One rank's work.
+// A prepared scene in a RUN directory: made, kept and loaded again, on one rank.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace enfilade {
 
-/// Makes RUN/ (scene.json, cells, clusters, graph; run.json last, which says that all is there) and
-/// drops whatever solution it held. Nothing is written where the scene is bad, nor into a directory
-/// that holds files of somebody else: InputError. `warnings` are those of reading the scene; what
-/// comes up here is added.
+/// Makes RUN/ (scene.json, cells, clusters, graph, leaks; run.json last, which marks RUN as
+/// complete) and removes a solution that RUN held. Throws InputError, and writes nothing, where the
+/// scene is bad or the directory holds files and has no mark of enfilade. `warnings` are those of
+/// reading the scene; the warnings of the preparation are added.
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
                  Warnings& warnings, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
@@ -26,8 +26,8 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
 using SceneSource = std::function<Scene(Warnings&)>;
 
 /// Reads the scene and prepares RUN for it; where RUN is prepared for it already, with this
-/// configuration or with proofs of what is hidden besides, that is kept and loaded. `read` may be
-/// empty: RUN must be prepared then. With `resume`, a RUN that has a solution of another
+/// configuration or with the same one and proofs of hidden pairs, RUN is loaded as it is. `read`
+/// may be empty: RUN must be prepared then. With `resume`, a RUN that has a solution of another
 /// scene is refused (InputError), not prepared anew. The scene's warnings are in the result.
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
                          const PrepareConfig& config, const Progress& progress = {},
