@@ -52,7 +52,7 @@ struct PatchNode {
   Vec2 split_axis{0.0};  ///< the second child lies where dot(split_axis, p) >= split_at
   double split_at = 0.0;
   bool leaf() const { return first_child < 0; }
-  std::size_t child(int side) const { return static_cast<std::size_t>(first_child + side); }
+  std::size_t child(int side) const { return static_cast<std::size_t>(first_child) + static_cast<std::size_t>(side); }
 };
 
 /// An inner node over several polygons: children are groups or polygons.
