@@ -1,5 +1,5 @@
 // The solver as a library: a scene in, its light out, in one thread of one process, without files,
-// messages or simulated machines. All parallel schemes are held against it.
+// messages or simulated machines. All parallel schemes are tested against it.
 #pragma once
 
 #include <span>
@@ -16,14 +16,15 @@ struct SolverConfig {
   double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
-  /// With more links than this, what is read off patches is not held to target_error; 0 = never.
+  /// With more links than this, target_error applies only to final-gathered light; 0 = never.
   std::uint64_t patch_links = 500000;
   int max_iterations = 200;
   GatherSettings gather;
   IterationMethod method;
 };
 
-/// What next_plan() needs to know of a scene and of what is asked.
+/// Returns the PlanConfig of a solve, from the solver's configuration and the scene's emitted
+/// power.
 PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
                        std::span<const Cluster> clusters);
 
@@ -31,8 +32,8 @@ PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
 struct Solution {
   std::vector<ClusterState> clusters;  ///< in the order of their ids
   std::vector<IterationSummary> history;
-  bool converged = false;  ///< the asked error was reached; what it is estimated to be:
-  ErrorEstimate error;
+  bool converged = false;  ///< the target error was reached
+  ErrorEstimate error;     ///< the estimate after the last iteration
 };
 
 /// Gathers for the clusters in ascending order, iteration after iteration, until the plan ends.

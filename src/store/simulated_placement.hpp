@@ -14,7 +14,7 @@ namespace enfilade {
 ///         back to the system (in the real heap: by malloc_trim)
 /// malloc  a general-purpose heap (simulated_heap.hpp)
 enum class MemoryManager { own, malloc };
-/// Throws InputError for a name that is neither.
+/// Throws InputError unless the name is `own` or `malloc`.
 MemoryManager memory_manager(const std::string& name);
 const char* name_of(MemoryManager manager);
 

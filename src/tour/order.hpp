@@ -13,9 +13,8 @@ namespace enfilade {
 /// random               a permutation by the seed
 /// input                by number, which runs through the building room by room
 /// backtracking         through G_cluster depth first, see tour/backtracking.hpp
-/// unshot_energy        the cluster with the most unshot energy before it, decided at each turn,
-/// see
-///                      tour/unshot_energy.hpp
+/// unshot_energy        the cluster with the most unshot energy before it, decided at each turn;
+///                      see tour/unshot_energy.hpp
 enum class TourOrder { travelling_salesman, greedy, random, input, backtracking, unshot_energy };
 /// The orders' names on the command line, in the enum's order: travelling-salesman, greedy, ...
 std::span<const char* const> order_names();

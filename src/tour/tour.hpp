@@ -57,7 +57,7 @@ class VisibilityCost {
 /// Bytes of one round of a closed tour.
 std::uint64_t cost_of_round(const std::vector<ClusterId>& order, const VisibilityCost& cost);
 
-/// CYCLE: a closed tour through a rank's clusters, traversed once an iteration.
+/// CYCLE: a closed tour through a rank's clusters, traversed once per iteration.
 class Cycle {
  public:
   Cycle() = default;

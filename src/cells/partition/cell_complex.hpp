@@ -39,7 +39,7 @@ struct Portal {
 struct CellPiece {
   CellId cell;
   Piece piece;
-  bool unreachable = false;  ///< no light can reach it (clusters/unreachable_parts.hpp)
+  bool unreachable = false;  ///< estimated to receive no light (clusters/unreachable_parts.hpp)
 };
 
 class CellComplex {

@@ -23,7 +23,7 @@ struct Figure {
 struct RunPage {
   std::string name;
   RunRecord stats;
-  std::vector<RunRecord> history;  ///< one an iteration
+  std::vector<RunRecord> history;  ///< one per iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace

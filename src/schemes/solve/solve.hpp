@@ -27,8 +27,7 @@ struct SolveConfig {
   double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
-  /// With more links than this, target_error does not apply to values read off patches; 0 = no
-  /// limit
+  /// With more links than this, target_error applies only to final-gathered light; 0 = never.
   std::uint64_t patch_links = 500000;
   std::uint64_t memory_bytes =
       0;  ///< budget of a rank for clusters; 0 = the machine's, or no limit
@@ -48,14 +47,14 @@ struct SolveConfig {
   double min_area_m2 = 0.0;
 };
 
-/// All ranks call it with the same arguments; rank 0 calls `observer` after every committed
-/// iteration. Returns the record of RUN/stats.json on rank 0, elsewhere an empty one. RUN then
-/// holds the solution, which read_solution() of run/solution.hpp reads. Throws InputError where
-/// config.resume finds the solution of another scene.
+/// Runs the solve. All ranks call it with the same arguments; rank 0 calls `observer` after every
+/// committed iteration. Returns the record of RUN/stats.json on rank 0, elsewhere an empty one. RUN
+/// then holds the solution, which read_solution() of run/solution.hpp reads. Throws InputError
+/// where config.resume finds the solution of another scene.
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 
-/// owner[i] = the rank that cluster i is assigned to before the first iteration.
+/// Returns owner[i], the rank that cluster i is assigned to before the first iteration.
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
 
 }  // namespace enfilade
