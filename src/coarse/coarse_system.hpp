@@ -32,13 +32,15 @@ class CoarseSystem {
   /// Adds a coupling without flow, which takes its place in to_numbers().
   void couple(std::uint32_t row, std::uint32_t column) { coupling(row, column); }
   void merge(const CoarseSystem& other);
-  /// Relative change of the light, z - 1: [unknown * bands + band]. Zero where nothing is coupled.
-  /// Returns nothing where a band's system cannot be solved (solve_sparse()). Throws RunError where
-  /// a power is not finite.
+  /// Returns the relative change of the light, z - 1: [unknown * bands + band]. Zero where nothing
+  /// is coupled. Returns nothing where a band's system cannot be solved (solve_sparse()). Throws
+  /// RunError where a power is not finite.
   std::optional<std::vector<double>> solve(const CoarseUnknowns& unknowns) const;
-  /// Sum over unknowns of |change| times power, worst band: the power that the iteration lacked.
+  /// Returns the sum over unknowns of |change| times power, worst band: the power that the
+  /// iteration lacked.
   double power(std::span<const double> changes) const;
-  /// Per band: the power that the changes add to the absorbed power, and to the escaping power.
+  /// Returns per band the power that the changes add to the absorbed power, and to the escaping
+  /// power.
   std::vector<double> absorbed(std::span<const double> changes) const {
     return sum(absorbed_, changes);
   }
@@ -46,7 +48,7 @@ class CoarseSystem {
     return sum(escaping_, changes);
   }
 
-  /// As numbers, for a message.
+  /// Returns the system as numbers, for a message.
   std::vector<double> to_numbers() const;
   static CoarseSystem from_numbers(std::span<const double> numbers);
 

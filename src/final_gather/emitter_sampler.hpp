@@ -18,7 +18,7 @@ class EmitterSampler {
  public:
   EmitterSampler(std::span<const ClusterState> clusters, const Occluders& occluders);
 
-  /// Is the polygon (global number) a bright emitter?
+  /// True where the polygon (global number) is a bright emitter.
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
 
   /// A polygon whose contribution at a point is integrated in closed form, over its visible nodes'

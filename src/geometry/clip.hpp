@@ -59,7 +59,8 @@ bool clip_front(Segment& segment, const Plane& plane, double tolerance);
 /// ways.
 std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, double tolerance);
 
-/// The common part of two convex coplanar polygons, facing as `a` does; empty where there is none.
+/// Returns the common part of two convex coplanar polygons, facing as `a` does; empty where there
+/// is none.
 Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance);
 
 }  // namespace enfilade

@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// One warning a leak: which cell, where, how wide.
+/// Adds one warning per leak: which cell, where, how wide.
 void warn_of_leaks(const std::vector<Leak>& leaks, Warnings& warnings);
 
 }  // namespace enfilade
