@@ -8,9 +8,9 @@
 // comes from d by reflection:
 //   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d
 // where f' = f P_new / P_old of shooter d if its light was read stale (as it was before this
-// iteration's gather), else f' = f. How a shooter's light is shared out between its aggregates need
-// only be roughly right: z = 1 solves the converged system whatever f is. Patches that no light
-// reaches stay dark, and light without a source (left over from a coarser mesh) vanishes at once.
+// iteration's gather), else f' = f. How a shooter's light is divided among its aggregates need only
+// be roughly right: z = 1 solves the converged system whatever f is. Patches that no light reaches
+// stay dark, and light without a source (left over from a coarser mesh) vanishes at once.
 #pragma once
 
 #include <optional>

@@ -43,8 +43,9 @@ double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& 
   return shooter.area_m2 * sum;
 }
 
-/// Light of a small shooter peaks between the receiver's points, but the total is known from the
-/// shooter's side: scales the factors to it. Returns by how much their mean differed from it.
+/// Rescales the factors of a shooter smaller than the receiver to the exact total, known by
+/// reciprocity, since its light peaks between the receiver's points. Returns the difference of
+/// their mean from the total.
 double match_total(const LinkSide& receiver, const LinkSide& shooter, PointFactors& factor,
                    WorkCount& work) {
   const bool small = shooter.is_light() || shooter.radius < receiver.radius;

@@ -1,4 +1,4 @@
-// Where a building is not closed, told to its user.
+// Leaks of a building as warnings to the user.
 #pragma once
 
 #include <vector>

@@ -86,7 +86,7 @@ void keep(std::string bytes, const std::string& path) {
   replace_file(path, bytes);
 }
 
-/// `from_bytes` of what was kept in RUN; what is wrong with it is told with its name.
+/// Returns `from_bytes` of a file of RUN; an error names the file.
 template <class FromBytes>
 auto load(const std::string& path, FromBytes from_bytes) {
   const std::string text = text_of(path);

@@ -32,9 +32,9 @@ struct WrittenReceiver {
   SectionWeight patches, links;  ///< links.file_bytes is 0 where they did not change
 };
 
-/// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
-/// only its own gather needs, once an iteration. Under pressure the part goes first whose next use
-/// lies farthest ahead; CYCLE says how far (Belady's rule, which no other rule can beat).
+/// A cluster has two parts here: geometry and patches, with which it shoots, and its links, which
+/// only its own gather needs, once per iteration. When memory is short, the part whose next use is
+/// farthest in the future is evicted first; CYCLE tells how far (Belady's rule, which is optimal).
 /// Nothing is ever written on eviction: a gathered cluster was written after its gather.
 /// State is ClusterState, or RecordedCluster where a run is replayed.
 template <class State>
