@@ -14,7 +14,7 @@
 namespace enfilade {
 
 enum class AssignmentMethod { kmeans, metis, greedy, round_robin };
-/// The methods' names on the command line, in the enum's order.
+/// Returns the methods' names on the command line, in the enum's order.
 std::span<const char* const> assignment_names();
 const char* name_of(AssignmentMethod method);
 /// Throws InputError for a name that is none of these.
@@ -28,18 +28,18 @@ struct AssignmentConfig {
   int starts = 4;           ///< kmeans: choices of first centres; the best grouping is taken
 };
 
-/// owner[i] = the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least as
-/// many clusters as parts, no part is empty. Only `greedy` uses `weights` (as many as clusters, or
-/// none); the other methods count hops or edges.
+/// Returns owner[i], the rank that cluster i is assigned to, 0 .. parts-1. Where there are at least
+/// as many clusters as parts, no part is empty. Only `greedy` uses `weights` (as many as clusters,
+/// or none); the other methods count hops or edges.
 std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& weights,
                          const AssignmentConfig& config);
 
-/// The same, with the form factors between the clusters as weights. clusters[i] is node i.
+/// Calls assign() with the form factors between the clusters as weights. clusters[i] is node i.
 std::vector<Rank> assign_clusters(const ClusterGraph& graph, std::span<const Cluster> clusters,
                                   const AssignmentConfig& config);
 
-/// Hops from `source` to every node of G_val, 0xFFFFFFFF to a node in another component: one row of
-/// Warshall's matrix (§3.3.1), by breadth-first search.
+/// Returns the hops from `source` to every node of G_val, 0xFFFFFFFF to a node in another
+/// component: one row of Warshall's matrix (§3.3.1), by breadth-first search.
 std::vector<std::uint32_t> hop_distances(const ClusterGraph& graph, std::size_t source);
 
 /// Edge cut (number of edges between different parts), and imbalance (largest part over mean part).

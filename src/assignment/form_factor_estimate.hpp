@@ -23,7 +23,7 @@ class FormFactorEstimate {
   explicit FormFactorEstimate(std::span<const Cluster> clusters);
 
   double between(std::size_t a, std::size_t b) const;
-  /// Number of clusters; 0 where all pairs weigh 1.
+  /// Returns the number of clusters; 0 where all pairs weigh 1.
   std::size_t size() const { return nodes_.size(); }
 
  private:

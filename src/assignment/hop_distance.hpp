@@ -12,7 +12,7 @@
 namespace enfilade {
 
 /// For every node the set of sources that are nearest to it, as a bit mask of `words` 64-bit words
-/// a node. A node that no source reaches has an empty set.
+/// per node. A node that no source reaches has an empty set.
 struct NearestSources {
   std::size_t words = 1;
   std::vector<std::uint64_t> masks;

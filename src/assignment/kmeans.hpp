@@ -15,9 +15,9 @@ namespace enfilade {
 /// with the fewest cut edges is taken, otherwise the most even one. Needs 1 <= parts <= nodes.
 std::vector<Rank> kmeans_groups(const ClusterGraph& graph, const AssignmentConfig& config);
 
-/// The most central element of each group: least sum, then least maximum of hops to the group's
-/// members, then the lowest id. In groups of more than `max_pivots` members the hops to that many
-/// members count, evenly spaced in the order of their ids.
+/// Returns the most central element of each group: least sum, then least maximum of hops to the
+/// group's members, then the lowest id. In groups of more than `max_pivots` members the hops to
+/// that many members count, evenly spaced in the order of their ids.
 std::vector<std::uint32_t> centres_of_gravity(const ClusterGraph& graph,
                                               const std::vector<Rank>& owner, std::size_t parts,
                                               std::size_t max_pivots);

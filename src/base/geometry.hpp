@@ -11,12 +11,12 @@ namespace enfilade {
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 
-/// The third component of the cross product of two vectors of the plane: twice the signed area of
-/// their triangle.
+/// Returns the third component of the cross product of two vectors of the plane: twice the signed
+/// area of their triangle.
 inline double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// The coordinate axis that is farthest from the direction of n, as a unit vector; of equals the
-/// first.
+/// Returns the coordinate axis that is farthest from the direction of n, as a unit vector; of
+/// equals the first.
 inline Vec3 least_axis(const Vec3& n) {
   const Vec3 a = glm::abs(n);
   if (a.x <= a.y && a.x <= a.z) return {1.0, 0.0, 0.0};

@@ -13,7 +13,7 @@ inline std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-/// The hash that such a text names. Throws std::logic_error for any other text.
+/// Returns the hash that such a text names. Throws std::logic_error for any other text.
 inline std::uint64_t hash_from_text(const std::string& text) {
   return std::stoull(text, nullptr, 16);
 }

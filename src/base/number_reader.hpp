@@ -23,7 +23,7 @@ class NumberReader {
     return value;
   }
   std::uint64_t next_count() { return static_cast<std::uint64_t>(next()); }
-  /// The numbers that have not been read.
+  /// Returns the numbers that have not been read.
   std::span<const double> rest() const { return numbers_; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace enfilade {
 
-/// The largest resident set of this process so far, bytes.
+/// Returns the largest resident set of this process so far, bytes.
 std::uint64_t peak_rss_bytes();
 
 }  // namespace enfilade

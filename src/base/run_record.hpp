@@ -22,9 +22,9 @@ class RunRecord {
            !std::is_same_v<Integer, bool>) void set(const std::string& key, Integer n) {
     set(key, Value(static_cast<std::int64_t>(n)));
   }
-  /// The value under `key`; null where there is none.
+  /// Returns the value under `key`; null where there is none.
   const Value* find(const std::string& key) const;
-  /// The number under `key`; `otherwise` where there is none.
+  /// Returns the number under `key`; `otherwise` where there is none.
   double number(const std::string& key, double otherwise) const;
   const std::vector<std::pair<std::string, Value>>& entries() const { return entries_; }
 

@@ -18,7 +18,7 @@ class Warnings {
   void add(std::string where, std::string what);
   bool empty() const { return all_.empty(); }
   const std::vector<Warning>& all() const { return all_; }
-  /// One line a kind of warning: "what (N places: first, second, third, ...)".
+  /// Returns one line per kind of warning: "what (N places: first, second, third, ...)".
   std::vector<std::string> summary(std::size_t places = 3) const;
 
  private:

@@ -33,7 +33,7 @@ using BuildingOption = std::pair<std::string, std::string>;
 Building describe_building(const std::string& text, const std::string& file,
                            std::span<const BuildingOption> options = {});
 
-/// The description of a preset; nothing where there is none of that name.
+/// Returns the description of a preset; nothing where there is none of that name.
 std::optional<std::string> preset_description(const std::string& name);
 /// "demo, rr3425".
 std::string preset_names();

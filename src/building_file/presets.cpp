@@ -19,7 +19,7 @@ constexpr const char* demo = R"({
 // The paper's counts (§5): 57,786 surfaces, 2,000 lights, 615 cells, 12,942 clusters. To tune them
 // anew where cells or clusters are cut otherwise (the test Rr3425 prints what comes out):
 // - Cells: one for each of the 564 rooms, 30 stretches of corridor (fire doors + 1, by storey), 20
-//   in the stairwells, and the outside. A fire door adds one a storey; a bay two. Turns and the
+//   in the stairwells, and the outside. A fire door adds one per storey; a bay two. Turns and the
 //   windows' width decide how the wings' planes meet: they are to leave every room a cell.
 // - Clusters without surfaces: every piece of furniture is one cluster. For one shelf (30 surfaces)
 //   five pictures (6 each): 4 clusters more, a storey; for a chair (24) four: 3; for a desk (18)

@@ -54,7 +54,8 @@ std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiec
                                     const Frame& own = {Vec3(0, 0, 1), Vec3(1, 0, 0),
                                                         Vec3(0, 1, 0)});
 
-/// The clusters as they are kept in a run's directory (versioned, in this machine's byte order).
+/// Returns the clusters as they are kept in a run's directory (versioned, in this machine's byte
+/// order).
 std::string to_bytes(std::span<const Cluster> clusters);
 /// Throws RunError where the bytes are not clusters of this version.
 std::vector<Cluster> clusters_from_bytes(std::string_view bytes);

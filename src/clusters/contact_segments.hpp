@@ -20,9 +20,9 @@ class ContactSegments {
                   double min_length_m);
   ~ContactSegments();
 
-  /// Edges of other polygons that lie in the plane of polygon `i`, and segments in which others
-  /// cross that plane: their parts inside the polygon, but for those along its own edges. Longest
-  /// first.
+  /// Returns the edges of other polygons that lie in the plane of polygon `i`, and segments in
+  /// which others cross that plane: their parts inside the polygon, but for those along its own
+  /// edges. Longest first.
   std::vector<Segment> inside(std::size_t i) const;
 
  private:

@@ -1,5 +1,5 @@
-// Whether light can reach a point: random walks from the point end on black backs, in the open, or
-// at a light.
+// Estimates whether light reaches a point: random walks from the point end on black backs, in the
+// open, or at a light.
 #pragma once
 
 #include <span>

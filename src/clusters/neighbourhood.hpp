@@ -12,8 +12,8 @@ namespace enfilade {
 /// Indices into a list of polygons.
 using Group = std::vector<std::size_t>;
 
-/// Connected components of the polygons that share vertices (to `tolerance_m`), each in ascending
-/// order, ordered by first member.
+/// Returns the connected components of the polygons that share vertices (to `tolerance_m`), each in
+/// ascending order, ordered by first member.
 std::vector<Group> connected_groups(std::span<const Polygon* const> polygons, double tolerance_m);
 
 /// Halves a group by position along its longest axis until no part has more than `max_size`

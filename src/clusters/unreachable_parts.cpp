@@ -29,7 +29,7 @@ struct Part {
   bool unreachable;
 };
 
-/// What of the segments lies in front of the plane, longest first.
+/// Returns the parts of the segments in front of the plane, longest first.
 std::vector<Segment> in_front(const std::vector<Segment>& segments, const Plane& plane,
                               double tolerance_m, double min_length_m) {
   std::vector<Segment> kept;

@@ -1,4 +1,5 @@
-// Pieces that run on underneath or into solids are cut there: no light can reach these parts.
+// Cuts pieces that run on underneath or into solids: the covered parts are estimated to receive no
+// light.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +20,11 @@ struct UnreachableConfig {
 };
 
 /// Large polygons (slabs, walls) run on underneath cupboards and into other solids. Polygons are
-/// black from behind, so that no light can reach those parts; but a patch that lies on both sides
-/// of the line of contact would share its light out evenly. Cuts each piece along the contacts that
-/// part reachable from unreachable ground, and along no other, and marks the unreachable parts. No
-/// area is lost, the parts of a piece follow each other, and a piece without such a contact stays
-/// whole. Repeatable for a seed. `tolerance_m` is the cells'.
+/// black from behind, so that those parts receive no light; but a patch that lies on both sides of
+/// the line of contact would distribute its light evenly. Cuts each piece along the contacts that
+/// separate reachable from unreachable parts, and along no other, and marks the parts that random
+/// walks estimate to receive no light. No area is lost, the parts of a piece follow each other, and
+/// a piece without such a contact stays whole. Repeatable for a seed. `tolerance_m` is the cells'.
 std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const CellPiece> pieces,
                                              double tolerance_m, const UnreachableConfig& config);
 

@@ -20,7 +20,8 @@ class AggregateFlow {
 
   /// Adds a link. `power`: reflected power per band that it brings to its receiver.
   void add(const Link& link, std::span<const float> transport, std::span<const double> power);
-  /// [(receiving aggregate * shooting aggregates + shooting aggregate) * bands + band]
+  /// Returns the flows, [(receiving aggregate * shooting aggregates + shooting aggregate) * bands +
+  /// band].
   std::vector<double> take() { return std::move(flow_); }
 
  private:

@@ -45,8 +45,8 @@ std::optional<std::vector<double>> CoarseSystem::solve(const CoarseUnknowns& unk
 
 /// Limits the flows from each shooting unknown to the power that it reflects and that does not
 /// escape, whatever rounding and the links' errors say. Of a cluster with several aggregates,
-/// AggregateFlow only guesses which of them the light comes from: the cluster's stale flow is
-/// shared out between its aggregates by the power that each reflected.
+/// AggregateFlow only estimates which of them the light comes from: the cluster's stale flow is
+/// divided among its aggregates by the power that each reflected.
 std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& unknowns,
                                                         std::size_t band) const {
   std::vector<Column> columns(unknowns_);

@@ -8,9 +8,9 @@
 // comes from d by reflection:
 //   P_c z_c = (P_c - sum_d f_cd) + sum_d f'_cd z_d
 // where f' = f P_new / P_old of shooter d if its light was read stale (as it was before this
-// iteration's gather), else f' = f. How a shooter's light is shared out between its aggregates need
-// only be roughly right: z = 1 solves the converged system whatever f is. Patches that no light
-// reaches stay dark, and light without a source (left over from a coarser mesh) vanishes at once.
+// iteration's gather), else f' = f. How a shooter's light is divided among its aggregates need only
+// be roughly right: z = 1 solves the converged system whatever f is. Patches that no light reaches
+// stay dark, and light without a source (left over from a coarser mesh) vanishes at once.
 #pragma once
 
 #include <optional>
@@ -32,13 +32,15 @@ class CoarseSystem {
   /// Adds a coupling without flow, which takes its place in to_numbers().
   void couple(std::uint32_t row, std::uint32_t column) { coupling(row, column); }
   void merge(const CoarseSystem& other);
-  /// Relative change of the light, z - 1: [unknown * bands + band]. Zero where nothing is coupled.
-  /// Returns nothing where a band's system cannot be solved (solve_sparse()). Throws RunError where
-  /// a power is not finite.
+  /// Returns the relative change of the light, z - 1: [unknown * bands + band]. Zero where nothing
+  /// is coupled. Returns nothing where a band's system cannot be solved (solve_sparse()). Throws
+  /// RunError where a power is not finite.
   std::optional<std::vector<double>> solve(const CoarseUnknowns& unknowns) const;
-  /// Sum over unknowns of |change| times power, worst band: the power that the iteration lacked.
+  /// Returns the sum over unknowns of |change| times power, worst band: the power that the
+  /// iteration lacked.
   double power(std::span<const double> changes) const;
-  /// Per band: the power that the changes add to the absorbed power, and to the escaping power.
+  /// Returns per band the power that the changes add to the absorbed power, and to the escaping
+  /// power.
   std::vector<double> absorbed(std::span<const double> changes) const {
     return sum(absorbed_, changes);
   }
@@ -46,7 +48,7 @@ class CoarseSystem {
     return sum(escaping_, changes);
   }
 
-  /// As numbers, for a message.
+  /// Returns the system as numbers, for a message.
   std::vector<double> to_numbers() const;
   static CoarseSystem from_numbers(std::span<const double> numbers);
 

@@ -16,12 +16,12 @@ struct CoarseUnknowns {
   std::vector<std::uint32_t> aggregates;  ///< by cluster: the number of its unknowns, at most
   std::size_t count = 0;                  ///< of all clusters
 
-  /// At least one cluster has several unknowns.
+  /// True where at least one cluster has several unknowns.
   bool aggregated() const { return count > first.size(); }
   /// Sets `count`. Returns false where `first` and `aggregates` do not describe the unknowns of
   /// `clusters` clusters in order, or where `numbers` is not a multiple of their count.
   bool complete(std::size_t clusters, std::size_t numbers);
-  /// The part of `numbers` [unknown * bands + band] that belongs to `cluster`.
+  /// Returns the part of `numbers` [unknown * bands + band] that belongs to `cluster`.
   std::span<const double> of(ClusterId cluster, std::span<const double> numbers,
                              std::size_t bands) const;
 };

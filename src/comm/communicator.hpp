@@ -28,7 +28,7 @@ class PeerFailure : public std::runtime_error {
   int exit_status_;
 };
 
-/// 2 for bad input, 1 for a run that broke.
+/// Returns 2 for bad input, 1 for a run that failed.
 int exit_status_of(const std::exception& error);
 
 /// A received message: its sender, its tag, its bytes. schemes/protocol/messages.hpp says what the
@@ -56,12 +56,12 @@ class Communicator {
   Rank rank() const;
   int size() const;
   bool root() const { return rank().value == 0; }
-  /// The next rank in the ring of §3.3.4.
+  /// Returns the next rank in the ring of §3.3.4.
   Rank successor() const { return Rank{(rank().value + 1) % size()}; }
 
-  /// Never blocks: the bytes are kept until MPI has sent them. `tag` is 1 or more.
+  /// Sends a message. Never blocks: the bytes are kept until MPI has sent them. `tag` is 1 or more.
   void send(Rank to, int tag, std::vector<std::byte> bytes);
-  /// The next message from anybody, if there is one now.
+  /// Returns the next message from anybody, if there is one now.
   std::optional<Envelope> poll();
   /// Waits for the next message from anybody, by Machine::wait_for_message().
   Envelope receive(Machine& machine);
@@ -71,9 +71,9 @@ class Communicator {
 
   /// Collective operations, for the start and the end of a run: all ranks call them.
   void barrier();
-  /// Rank 0's text, on every rank.
+  /// Returns rank 0's text on every rank.
   std::string broadcast(const std::string& text);
-  /// On rank 0 the numbers of all ranks, by rank; elsewhere empty.
+  /// Returns on rank 0 the numbers of all ranks, by rank; elsewhere an empty list.
   std::vector<std::vector<double>> gather(std::span<const double> numbers);
   /// Runs `work` on rank 0 alone while the others wait. Where it throws, rank 0 throws that error
   /// and all others throw PeerFailure, so that one line is printed and all leave in order.

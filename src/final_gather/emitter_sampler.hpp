@@ -18,10 +18,11 @@ class EmitterSampler {
  public:
   EmitterSampler(std::span<const ClusterState> clusters, const Occluders& occluders);
 
-  /// Is the polygon (global number) a bright emitter?
+  /// True where the polygon (global number) is a bright emitter.
   bool contains(std::uint32_t polygon) const { return is_bright_[polygon]; }
 
-  /// A polygon whose light at a point is known: by the affine radiosities of its visible nodes.
+  /// A polygon whose contribution at a point is integrated in closed form, over its visible nodes'
+  /// affine radiosities.
   struct ControlledPolygon {
     std::uint32_t polygon;  ///< global number
     std::vector<VisibleNode> nodes;

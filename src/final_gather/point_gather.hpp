@@ -19,8 +19,8 @@ struct PointGatherConfig {
   /// share of its light and above 1e-4 of the mean irradiance. 0 = one set.
   std::optional<double> noise{};
   std::uint64_t seed = 1;
-  /// Relative error of light that is read off the patches. The larger it is, the farther away a
-  /// patch has to be for its light to be read off.
+  /// Relative error of the light of patches. The larger it is, the farther away a patch must be for
+  /// a path to end with its light.
   double patch_error = 0.01;
 
   /// `noise`, or by default half of `patch_error` and at most 0.005: less noise would not make the

@@ -22,11 +22,11 @@ struct VisibleNode {
     factor += part;
     moment += part * shift;
   }
-  /// Irradiance by the node's own affine function of radiosity.
+  /// Returns the irradiance by the node's own affine function of radiosity.
   double irradiance(const PatchForest& forest, std::size_t band) const {
     return factor > 0.0 ? factor * forest.radiosity_at(node, band, moment / factor) : 0.0;
   }
-  /// The node's own affine function of radiosity at point y of the polygon's plane.
+  /// Returns the node's own affine function of radiosity at point y of the polygon's plane.
   double radiosity(const PatchForest& forest, std::size_t band, const Vec3& y) const {
     const PatchNode& at = forest.node(node);
     return forest.radiosity_at(node, band,
@@ -34,7 +34,7 @@ struct VisibleNode {
   }
 };
 
-/// The corners in space of a patch, or of a part of one.
+/// Returns the corners in space of a patch, or of a part of one.
 Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape);
 
 /// Finds visible nodes; keeps scratch memory between calls.

@@ -7,8 +7,8 @@
 
 namespace enfilade {
 
-/// Power per band that the clusters' surfaces and all lights of the scene emit: area times
-/// exitance, and 4 pi times intensity.
+/// Returns the power per band that the clusters' surfaces and all lights of the scene emit: area
+/// times exitance, and 4 pi times intensity.
 Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters);
 
 }  // namespace enfilade

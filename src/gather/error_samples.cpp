@@ -26,7 +26,8 @@ double top(std::span<const double> light, std::size_t terms) {
 constexpr double least_share = 5e-3;
 /// The same for bright emitters.
 constexpr double least_bright_share = 1e-6;
-/// Least ratio of a bright emitter's radiosity to the irradiance at a point; and the same a ray.
+/// Least ratio of a bright emitter's radiosity to the irradiance at a point; and the same ratio per
+/// ray.
 constexpr double bright_ratio = 4.0, bright_ratio_per_ray = 0.01;
 /// The irradiance in that ratio is at least this share of the scene's mean.
 constexpr double least_bright_irradiance = 0.05;

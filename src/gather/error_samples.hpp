@@ -1,7 +1,7 @@
 // A-posteriori error samples: the irradiance at sampled points of a cluster, gathered anew by
 // closed forms and rays, independently of the links. Its difference from the patches' irradiance is
-// the residual, the one part of the error that can be measured without knowing the exact solution
-// (Lischinski, Smits, Greenberg 1994).
+// the part of the error that can be measured without the exact solution (Lischinski, Smits,
+// Greenberg 1994).
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@ struct ErrorSampleConfig {
   /// Points per m2, plus points per unit of power (area times irradiance, largest band): they lie
   /// densest where much light arrives.
   double per_area = 0.0, per_power = 0.0;
-  double mean_irradiance = 0.0;  ///< of the whole scene: a point's light is judged against it
+  double mean_irradiance = 0.0;  ///< of the whole scene; floors the reference irradiance
 };
 
 /// Sums over points of the area that each stands for, times irradiance; per band.
 struct ErrorSampleSums {
   Spectrum light;    ///< irradiance of the points
   Spectrum surplus;  ///< irradiance of the points less that of the patches
-  Spectrum off;      ///< the absolute value of this difference
+  Spectrum off;      ///< sum of |point - patch|
   Spectrum noise;    ///< the part of `off` due to sampling: half the difference of the two halves
 };
 /// Adds the sums of a part (a cluster, a rank).
@@ -49,7 +49,8 @@ class ErrorSamples {
   ErrorSampleSums compare(const ClusterState& receiver) const;
 
  private:
-  static constexpr double least_irradiance = 1e-3;  ///< of the scene's mean: below it all is dark
+  /// Floor of the reference irradiance, relative to the scene's mean.
+  static constexpr double least_irradiance = 1e-3;
 
   struct Point {
     std::uint32_t polygon;
@@ -58,10 +59,10 @@ class ErrorSamples {
     double irradiance;                    ///< of the patch there, before this gather; largest band
     std::array<Spectrum, 2> light;        ///< irradiance so far, by both halves of the rays
     std::vector<VisibleNode> controlled;  ///< nodes of the present shooter that are in closed form
-    double controlled_factor = 0.0;       ///< of all shooters: sum of their form factors
+    double controlled_factor = 0.0;       ///< sum of these nodes' form factors, over all shooters
     std::array<double, 2> controlled_rays{};  ///< share of the rays of a half that met such nodes
-    /// Radiosity times share of the rays, sum of both halves: of the rays that met no such node,
-    /// and of all rays that met no bright emitter.
+    /// Radiosity times the ray's share, summed over both halves of the rays. uncontrolled_light:
+    /// over the rays that met no such node; ray_light: over all rays that met no bright emitter.
     Spectrum uncontrolled_light{}, ray_light{};
   };
   struct Hit {
@@ -72,7 +73,7 @@ class ErrorSamples {
   };
   void place(const ClusterState& receiver);
   void cast_rays();
-  /// Irradiance that contributions are judged against.
+  /// Returns the irradiance that a contribution is compared with.
   double reference_irradiance(const Point& point) const {
     return std::max(point.irradiance, least_irradiance * config_.mean_irradiance);
   }

@@ -16,7 +16,8 @@ namespace enfilade {
 
 struct GatherConfig {
   RefinementConfig refinement;
-  int iteration = 1;       ///< set in the receiver; shooters that have it were gathered for already
+  /// Set in the receiver; a shooter with this number already has this iteration's light.
+  int iteration = 1;
   bool refine = true;      ///< false: gather over the links as they are
   bool coarse_row = true;  ///< false: GatherResult::coarse has no entries
   /// Close the rows of form factors (row_closure.hpp). Wanted once light has reached everything.
@@ -32,7 +33,7 @@ struct GatherConfig {
 struct GatherResult {
   IterationFigures figures;
   CoarseRow coarse;
-  bool links_changed = false;  ///< the receiver's links are others than before the gather
+  bool links_changed = false;  ///< the gather changed the links
 };
 
 /// Returns a visible cluster, which need stay valid only until the next call.

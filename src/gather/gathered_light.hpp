@@ -1,4 +1,4 @@
-// What the links of one receiving cluster bring to the nodes of its hierarchy.
+// The irradiance that links bring to the nodes of one receiving cluster's hierarchy.
 #pragma once
 
 #include <span>
@@ -18,14 +18,16 @@ class GatheredLight {
   /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light where
   /// that is null. Returns its RMS variation over the shooter (worst band; 0 for a light).
   double read(const Link& link, const PatchForest* shooter);
-  /// Of the shooter read last: mean radiosity per band, or the light's intensity.
+  /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
+  /// intensity.
   std::span<const double> means() const { return means_; }
   /// Adds the light read last, by the link's transport, to the irradiance of its receiver.
   void receive(const Link& link, std::span<const float> transport);
 
-  /// Makes room for patches made since. The irradiance is indexed like the light of the patches.
+  /// Returns the irradiance, indexed like the light of the patches, with room for patches made
+  /// since.
   std::vector<double>& irradiance();
-  /// Per band: sum of area times irradiance over all nodes.
+  /// Returns per band the sum of area times irradiance over all nodes.
   Spectrum power() const;
 
  private:

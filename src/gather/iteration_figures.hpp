@@ -28,7 +28,7 @@ struct IterationFigures {
   double row_closed_m2 = 0.0;   ///< area of the leaves that this is summed over
   // Per band:
   Spectrum arriving_power;   ///< sum of area * irradiance
-  Spectrum returning_power;  ///< the part of that which was reflected by the shooter, not emitted
+  Spectrum returning_power;  ///< the reflected (not emitted) part of arriving_power
   Spectrum absorbed_power;   ///< sum of area (1 - reflectance) irradiance
   /// Sum of area * radiosity * (1 - enclosed share): the part of a patch's light that goes into the
   /// open, onto a back side or onto an unlit front side.
@@ -137,16 +137,16 @@ template <class Access>
 inline constexpr bool is_spectrum =
     std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Access, IterationFigures&>>, Spectrum>;
 
-/// Folds one part (a cluster's, a rank's) into another.
+/// Adds one part (a cluster's, a rank's) to another, each figure by its Fold.
 void add(IterationFigures& figures, const IterationFigures& part);
 
-/// Figures as plain numbers, by how they fold, each in the list's order; the bands of a Spectrum
-/// stand one after the other.
+/// Figures as plain numbers, by their Fold, each in the list's order; the bands of a Spectrum stand
+/// one after the other.
 struct FoldedNumbers {
   std::vector<double> maxima, sums;
 };
 FoldedNumbers to_numbers(const IterationFigures& figures);
-/// Throws RunError where there are too few numbers.
+/// Returns the figures that `to_numbers` encoded. Throws RunError where there are too few numbers.
 IterationFigures figures_from(std::span<const double> maxima, std::span<const double> sums);
 
 }  // namespace enfilade

@@ -11,9 +11,9 @@ namespace {
 /// Uncertainty of a group link, as a share of its factor: one direction stands for the light of all
 /// polygons of the shooting group.
 constexpr double group_uncertainty = 0.3;
-/// A row's summed link errors are taken for two standard deviations.
+/// A row's summed link errors count as two standard deviations.
 constexpr double deviation_of_uncertainty = 0.5;
-/// Rays for a whole cluster, at least: a narrow opening must not pass for none.
+/// Least number of rays of a whole cluster: a narrow opening must not be missed.
 constexpr double least_rays = 512.0;
 constexpr int least_rings = 4;
 
@@ -131,8 +131,9 @@ double RowClosure::own_radiosity(std::size_t leaf, std::size_t band, double beyo
 }
 
 /// Within the links' uncertainty, the missing share of the hemisphere shows the mean light of the
-/// links, weighted by their uncertainty. Beyond it, the share shows something that the links do not
-/// know, as between panels that nearly touch: as dark as the leaf itself, if that is darker.
+/// links, weighted by their uncertainty. The excess beyond it is light that no link represents, as
+/// between panels that nearly touch; it is given the lower of the links' mean radiosity and the
+/// leaf's own.
 void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
                              std::span<const double> arrived, std::vector<double>& gathered) const {
   const double* sums = rows_.data() + leaf * width_;

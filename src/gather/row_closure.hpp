@@ -1,4 +1,4 @@
-// Closure of the rows of form factors, so that the links' errors neither make nor lose energy.
+// Closure of the rows of form factors: each leaf's row is made to sum to its enclosed share.
 #pragma once
 
 #include <span>
@@ -9,33 +9,34 @@
 
 namespace enfilade {
 
-/// What a closure did, summed over the leaves.
+/// The effect of a closure, summed over the leaves.
 struct RowClosureSums {
   Spectrum uncertain_power;  ///< per band: area times uncertain irradiance
   double deficit_m2 = 0.0;   ///< area * |enclosed share - row sum| before the closure
   double closed_m2 = 0.0;    ///< area of the leaves in deficit_m2: those whose rows have a target
 };
 
-/// Sums the rows of one receiving cluster while its light is gathered. Then gives each leaf the
-/// light that its row lacks (or takes what it has too much) of the sum that the row must have: the
-/// leaf's enclosed share, which is 1 where every ray from the leaf ends on a lit front side.
+/// Sums the rows of one receiving cluster while its light is gathered. Then adds to each leaf (or
+/// takes from it) light for the difference between its row's sum and the target: the leaf's
+/// enclosed share, which is 1 where every ray from the leaf ends on a lit front side.
 class RowClosure {
  public:
   explicit RowClosure(ClusterState& receiver);
 
-  /// Notes which polygons of a shooter give light. Shooters come by rising id.
+  /// Records which polygons of a shooter are lit. Shooters come in ascending order of id.
   void add_shooter(const ClusterState& shooter);
   /// Adds a link to its receiver's row. `light`: the shooter's mean radiosity per band, which
   /// varies by `variation` (RMS, worst band).
   void add(const Link& link, std::span<const float> transport, std::span<const double> light,
            double variation);
   /// Adds to `gathered` (irradiance, indexed like the light of the patches) `flux_correction` (per
-  /// band, may be empty) times each leaf's uncertain irradiance, then the light that its row lacks.
+  /// band, may be empty) times each leaf's uncertain irradiance, then the light for its row's
+  /// deficit.
   RowClosureSums close(const Occluders& occluders, const Spectrum& flux_correction, WorkCount& work,
                        std::vector<double>& gathered);
 
  private:
-  /// What the row of a leaf lacks; below zero where it has too much.
+  /// The deficit of a leaf's row; below zero where the row sums to more than its target.
   struct Deficit {
     double gain = 1.0;     ///< weight of the target against the links' own sum
     double missing = 0.0;  ///< gain * (target - row sum)
@@ -50,8 +51,8 @@ class RowClosure {
   double uncertain_light(std::size_t node, std::size_t band) const {
     return rows_[node * width_ + terms_ + 1 + bands_ + band];
   }
-  /// Measures the enclosed shares that are not known yet. True per polygon: a leaf of it sees an
-  /// opening.
+  /// Measures the enclosed shares that are not known yet. Returns per polygon: 1 where a leaf of it
+  /// sees an opening.
   std::vector<char> find_openings(int rings, const Occluders& occluders, WorkCount& work);
   void correct_flux(std::size_t leaf, const Spectrum& flux_correction,
                     std::vector<double>& gathered) const;
@@ -62,8 +63,9 @@ class RowClosure {
 
   ClusterState& receiver_;
   std::size_t bands_, terms_, width_;
-  /// Per node: the row's sum as an affine function, the links' uncertainty, per band their light
-  /// weighted by it, and per band their uncertain light: that and the variation over the shooters.
+  /// Per node: the row's sum as an affine function; the sum of the links' uncertainties (estimated
+  /// errors per m2); per band the sum of uncertainty times light; and per band the uncertain
+  /// irradiance: the sum of (uncertainty + effect of the shooter's variation) times light.
   std::vector<double> rows_;
   std::vector<char> lit_;  ///< the shooters' polygons, one shooter after the other
   std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< by shooter: its first in lit_

@@ -15,7 +15,8 @@ class BoxTree {
   explicit BoxTree(std::span<const Box> boxes);
   ~BoxTree();
 
-  /// Indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on all sides.
+  /// Returns the indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on
+  /// all sides.
   std::vector<std::uint32_t> touching(const Box& box, double margin_m) const;
 
  private:

@@ -50,8 +50,8 @@ void clip_behind(Polygon& polygon, const Plane& plane, double tolerance);
 /// by rounding.
 void clip_front(Polygon& polygon, const Plane& plane, double tolerance);
 
-/// Keeps what of the segment lies in front of the plane; false, and the segment as it was, where no
-/// end lies more than `tolerance` metres in front.
+/// Keeps the part of the segment in front of the plane. Returns false, with the segment unchanged,
+/// where no end lies more than `tolerance` metres in front.
 bool clip_front(Segment& segment, const Plane& plane, double tolerance);
 
 /// a minus b, both convex and coplanar within tolerance: at most |b| convex pieces, none for full
@@ -59,7 +59,8 @@ bool clip_front(Segment& segment, const Plane& plane, double tolerance);
 /// ways.
 std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, double tolerance);
 
-/// The common part of two convex coplanar polygons, facing as `a` does; empty where there is none.
+/// Returns the common part of two convex coplanar polygons, facing as `a` does; empty where there
+/// is none.
 Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance);
 
 }  // namespace enfilade

@@ -27,7 +27,7 @@ class Geos {
 
   Geometry own(GEOSGeometry* g) const { return {g, Free{handle_}}; }
 
-  /// A polygon without holes; none where it has too few points.
+  /// Returns a polygon without holes; none where it has too few points.
   Geometry polygon(const std::vector<Vec2>& ring) const {
     const auto count = static_cast<unsigned>(ring.size());
     GEOSCoordSequence* points = GEOSCoordSeq_create_r(handle_, count + 1, 2);

@@ -20,11 +20,13 @@ using HalfSpaces = std::vector<Plane>;
 void add_penumbra(std::span<const Vec3> source, const Polygon& window, const Vec3& n,
                   double slack_m, HalfSpaces& out);
 
-/// Is all of the polygon (or box) outside of one of the half spaces by more than `slack_m`?
+/// True where all of the polygon (or box) lies outside of one of the half spaces by more than
+/// `slack_m`.
 bool outside(const Polygon& polygon, const HalfSpaces& spaces, double slack_m);
 bool outside(const Box& box, const HalfSpaces& spaces, double slack_m);
 
-/// The part of the polygon inside all half spaces enlarged by `slack_m`; empty where there is none.
+/// Returns the part of the polygon inside all half spaces enlarged by `slack_m`; empty where there
+/// is none.
 Polygon clip_to(Polygon polygon, const HalfSpaces& spaces, double slack_m);
 
 }  // namespace enfilade

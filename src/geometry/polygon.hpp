@@ -34,25 +34,26 @@ inline Vec3 area_vector(std::span<const Vec3> polygon) {
 }
 double area_m2(std::span<const Vec3> polygon);
 double total_area_m2(std::span<const Polygon> polygons);
-/// Unit normal; zero for a degenerate polygon.
+/// Returns the unit normal; zero for a degenerate polygon.
 Vec3 normal(const Polygon& polygon);
-/// Area centroid.
+/// Returns the area centroid.
 Vec3 centroid(const Polygon& polygon);
 Plane plane_of(const Polygon& polygon);
 Box bounds(const Polygon& polygon);
 
-/// Outward planes through the edges of a polygon with unit normal `n`, at right angles to it; edges
-/// of at most `shortest_m` metres have none.
+/// Returns the outward planes through the edges of a polygon with unit normal `n`, at right angles
+/// to it; edges of at most `shortest_m` metres have none.
 std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double shortest_m);
 
-/// Is p, a point of the polygon's plane, inside the convex polygon with normal `n` (of any length)?
-/// Its edges count as inside; no tolerance.
+/// True where p, a point of the polygon's plane, lies inside the convex polygon with normal `n` (of
+/// any length). Its edges count as inside; no tolerance.
 bool contains(const Polygon& polygon, const Vec3& n, const Vec3& p);
-/// The same, with a polygon that is `reach_m` larger on all sides; `n` is of unit length. Rounds
-/// otherwise than `contains`: (n x edge) . (p - corner) here, (edge x (p - corner)) . n there.
+/// True where p lies inside the polygon enlarged by `reach_m` on all sides; `n` is of unit length.
+/// Rounds otherwise than `contains`: (n x edge) . (p - corner) here, (edge x (p - corner)) . n
+/// there.
 bool contains_within(const Polygon& polygon, const Vec3& n, const Vec3& p, double reach_m);
-/// Is p inside the convex polygon of the plane, its corners counter-clockwise? Its edges count as
-/// inside; no tolerance.
+/// True where p lies inside the convex polygon of the plane, its corners counter-clockwise. Its
+/// edges count as inside; no tolerance.
 bool contains(std::span<const Vec2> polygon, const Vec2& p);
 
 /// How far points lie from a plane, metres.
@@ -63,9 +64,9 @@ struct DistanceRange {
   void add(double signed_distance);
 };
 DistanceRange distances(std::span<const Vec3> points, const Plane& plane);
-/// Do all points lie in the plane, to within `tolerance_m`?
+/// True where all points lie in the plane, to within `tolerance_m`.
 bool lies_in(std::span<const Vec3> points, const Plane& plane, double tolerance_m);
-/// The largest signed distance of a point of the box.
+/// Returns the largest signed distance of a point of the box.
 double highest_distance(const Box& box, const Plane& plane);
 
 }  // namespace enfilade

@@ -40,8 +40,8 @@ void add_support_planes(const Polygon& from, const Polygon& to, double tolerance
 using PlaneSet = std::uint64_t;  // bit i: plane i of the shaft; those from 64 on are in every set
 constexpr std::size_t in_sets = 64;
 
-/// Wholly outside it? Takes from `open` the planes that the box lies wholly inside of, which
-/// what is in the box need not be held against.
+/// True where the box lies wholly outside the shaft. Removes from `open` the planes that the box
+/// lies wholly inside of: the contents of the box need not be tested against these.
 bool outside(const Box& box, const Shaft& shaft, double tolerance_m, PlaneSet& open) {
   if (!box.overlaps(shaft.box)) return true;
   const std::vector<Plane>& planes = shaft.planes;

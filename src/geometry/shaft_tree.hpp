@@ -35,7 +35,7 @@ class ShaftTree {
   void find_among(std::span<const std::uint32_t> among, const Shaft& shaft, double tolerance_m,
                   std::uint32_t skip_a, std::uint32_t skip_b,
                   std::vector<std::uint32_t>& found) const;
-  /// The polygons that pass within reach_m of p, in ascending order.
+  /// Returns the polygons that pass within reach_m of p, in ascending order.
   std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
   const Polygon& polygon(std::uint32_t k) const { return polygons_[k]; }
 

@@ -27,7 +27,7 @@ class VisibleParts {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     return {corners_.data() + begin, ends_[i] - begin};
   }
-  /// Form factor of all parts from x with unit normal n.
+  /// Returns the form factor of all parts from x with unit normal n.
   double factor(const Vec3& n) const;
 
  private:

@@ -28,21 +28,21 @@ class Aggregates {
   Aggregates(const PatchForest& forest, std::size_t most);
 
   std::size_t size() const { return aggregates_.empty() ? 1 : aggregates_.size(); }
-  /// The aggregate that contains the node, or the aggregates that the node contains.
+  /// Returns the aggregate that contains the node, or the aggregates that the node contains.
   Range of(const PatchForest& forest, PatchId node) const;
   /// Adds a patch's `power` (per band) to its aggregates in `sums` [aggregate * bands + band],
   /// divided among several by area.
   void add(const PatchForest& forest, PatchId patch, std::span<const double> power,
            std::span<double> sums) const;
-  /// Area times reflected radiosity (radiosity - exitance) of each aggregate, not below zero,
-  /// [aggregate * bands + band].
+  /// Returns area times reflected radiosity (radiosity - exitance) of each aggregate, not below
+  /// zero, [aggregate * bands + band].
   std::vector<double> reflected_power(const PatchForest& forest) const;
   /// Adds the shares [aggregate * bands + band] of the aggregates' irradiance to the leaves, and
   /// the light that they reflect of it. An addition is distributed over the leaves of a polygon
   /// within an aggregate: a uniform part, as large as the least lit of these leaves allows, and the
   /// rest in proportion to each leaf's irradiance. So no leaf gains more than twice its
-  /// proportional share, and leaves without light stay without. A negative share is all in
-  /// proportion.
+  /// proportional share. Dark leaves stay dark. Negative additions are distributed in proportion
+  /// only.
   void add_share(PatchForest& forest, std::span<const double> shares) const;
 
   std::size_t memory_bytes() const {

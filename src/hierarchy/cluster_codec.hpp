@@ -29,7 +29,7 @@ namespace enfilade {
 ///                 by the same cuts
 ///               radiosity, irradiance, deviation (lists of f64), enclosed share (list of f32),
 ///               lit polygons when that was measured u32, unreachable (list of u8)
-///     links     transport coefficients a link u64
+///     links     transport coefficients per link u64
 ///               links (list): shooter's cluster u32; shooter, receiver: root, path u32 each;
 ///                 shooter's x, y, error, variation f32; flags u8 (1 evaluated, 2 finest);
 ///                 visibility uncertainty u8
@@ -47,10 +47,11 @@ class ClusterCodec {
   static void read_patches(PatchForest& forest, ByteReader& r);
 
   static void write_links(const LinkSet& links, ByteWriter& w);
-  /// `stride`: transport coefficients a link, by the basis.
+  /// `stride`: transport coefficients per link, by the basis.
   static LinkSet read_links(ByteReader& r, std::size_t stride);
 
-  /// Bytes that write_patches and write_links produce, roughly: what to reserve.
+  /// Returns roughly the number of bytes that write_patches and write_links produce, to be
+  /// reserved.
   static std::size_t patches_bytes(const PatchForest& forest);
   static std::size_t links_bytes(const LinkSet& links);
 };

@@ -40,7 +40,7 @@ std::vector<PolygonFrame> frames_of(const Cluster& cluster, const Scene& scene) 
   return frames;
 }
 
-/// Transport coefficients a link: 3 x 3 for the linear basis; else one for patches, and four for
+/// Transport coefficients per link: 3 x 3 for the linear basis; else one for patches, and four for
 /// groups (LinkEstimate::transport).
 std::size_t link_stride(Basis basis) { return basis == Basis::linear ? 9 : 4; }
 

@@ -16,7 +16,7 @@
 
 namespace enfilade {
 
-/// Radiosity over a patch: one number a band (constant), or an affine function (linear).
+/// Radiosity over a patch: one number per band (constant), or an affine function (linear).
 enum class Basis : std::uint8_t { constant = 1, linear = 3 };
 
 /// The sections of a cluster, each a file of its own: other ranks need the first two, its owner all
@@ -27,28 +27,28 @@ enum class Section : std::uint8_t { geometry = 0, patches = 1, links = 2 };
 /// A cluster's patches with their light, its aggregates and its links.
 class ClusterState {
  public:
-  /// A fresh cluster: one patch a polygon, radiosity = exitance, no links yet. The coarse system
-  /// has at most `aggregates` unknowns for it.
+  /// Makes a fresh cluster: one patch per polygon, radiosity = exitance, no links yet. The coarse
+  /// system has at most `aggregates` unknowns for it.
   ClusterState(const Cluster& cluster, const Scene& scene, Basis basis, std::size_t aggregates = 1);
-  /// From the sections of its file, as bytes_of returned them (layout: cluster_codec.hpp); `links`
-  /// may be empty for a cluster that only shoots. Throws RunError where the bytes are not such
-  /// sections.
+  /// Reads a cluster from the sections of its file, as bytes_of returned them (layout:
+  /// cluster_codec.hpp); `links` may be empty for a cluster that only shoots. Throws RunError where
+  /// the bytes are not such sections.
   ClusterState(std::span<const std::byte> geometry, std::span<const std::byte> patches,
                std::span<const std::byte> links);
 
-  /// A copy without the links: all that other receivers need.
+  /// Returns a copy without the links: all that other receivers need.
   ClusterState shooter() const;
   /// Gives back the memory that growing vectors have reserved.
   void shrink();
   /// Applies a coarse correction: the relative change of its light, [aggregate * bands + band].
   void correct(std::span<const double> changes);
-  /// The iteration in which it was last the receiving cluster; 0 = never.
+  /// Returns the iteration in which it was last the receiving cluster; 0 = never.
   int iteration() const { return iteration_; }
   void set_iteration(int iteration) { iteration_ = iteration; }
 
-  /// The bytes of one section of its file.
+  /// Returns the bytes of one section of its file.
   std::vector<std::byte> bytes_of(Section section) const;
-  /// Bytes in memory, of the object and on the heap.
+  /// Returns the bytes in memory, of the object and on the heap.
   std::size_t memory_bytes() const;
 
   ClusterId id() const { return id_; }

@@ -19,12 +19,15 @@ struct Link {
   PatchId receiver;
   float shooter_x = 0.0f,
         shooter_y = 0.0f;  ///< the shooting patch's centroid, in its polygon's frame
-  float error = 0.0f;  ///< estimated error of the received power (m2) per unit of mean radiosity
-  float variation = 0.0f;  ///< the same per unit of the shooter's RMS variation around its mean
+  /// Estimated error of the received power per unit of the shooter's mean radiosity; unit: m2.
+  float error = 0.0f;
+  /// Estimated error of the received power per unit of the RMS variation of the shooter's radiosity
+  /// around its mean; unit: m2.
+  float variation = 0.0f;
   bool evaluated = false;  ///< false: its shooter had no light yet, transport is not known
   bool finest = false;     ///< neither side can be split further
   std::uint8_t visibility_uncertainty = 0;  ///< 255ths of `error` that come from visibility
-  /// The part of `error` that comes from visibility.
+  /// Returns the part of `error` that comes from visibility; unit: m2.
   float visibility_error() const {
     return error * static_cast<float>(visibility_uncertainty) / 255.0f;
   }
@@ -33,7 +36,8 @@ struct Link {
 };
 
 /// The links of one receiving cluster, each with `stride` transport coefficients: receiver term by
-/// shooter term (unit: irradiance per radiosity, 1 for constant-constant).
+/// shooter term. The first is irradiance per radiosity (no unit); rows of gradients of the
+/// irradiance have 1/m, columns of gradients of the radiosity have m.
 class LinkSet {
  public:
   LinkSet() = default;
@@ -50,7 +54,7 @@ class LinkSet {
   void add(const Link& link, std::span<const float> transport);
   /// Replaces all links by the first n of another set.
   void take_first(const LinkSet& other, std::size_t n);
-  /// Bytes on the heap.
+  /// Returns the bytes on the heap.
   std::size_t memory_bytes() const;
   /// Gives back the memory that growing vectors have reserved.
   void shrink();
@@ -63,8 +67,9 @@ class LinkSet {
   std::vector<float> transport_;
 };
 
-/// A group receives parallel light, from the direction that its link's `transport` holds: calls
-/// take(polygon, cosine) for those of its polygons that face this direction and can be lit.
+/// Calls take(polygon, cosine) for those polygons of a receiving group that face the link's
+/// direction and are not unreachable. A group receives as if light came from one direction,
+/// transport[1..3].
 template <class Take>
 void for_each_facing(const PatchForest& receiver, const Link& link,
                      std::span<const float> transport, Take take) {
@@ -77,7 +82,8 @@ void for_each_facing(const PatchForest& receiver, const Link& link,
   }
 }
 
-/// Area times form factor of a link (m2): received power per unit of the shooter's mean radiosity.
+/// Returns area times form factor of a link (m2): received power per unit of the shooter's mean
+/// radiosity.
 double area_factor(const PatchForest& receiver, const Link& link, std::span<const float> transport);
 
 }  // namespace enfilade

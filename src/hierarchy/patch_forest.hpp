@@ -17,7 +17,7 @@ namespace enfilade {
 
 /// Names a node of a cluster's hierarchy, the same on every rank whether or not the node has been
 /// made there. A patch: `root` is the polygon's number and `path` the way down from the polygon, a
-/// leading 1 and then one bit a split. A group (several polygons of the cluster): `root` is
+/// leading 1 and then one bit per split. A group (several polygons of the cluster): `root` is
 /// group_bit + the group's number, `path` is 1.
 struct PatchId {
   static constexpr std::uint32_t group_bit = 0x80000000u;
@@ -52,7 +52,9 @@ struct PatchNode {
   Vec2 split_axis{0.0};  ///< the second child lies where dot(split_axis, p) >= split_at
   double split_at = 0.0;
   bool leaf() const { return first_child < 0; }
-  std::size_t child(int side) const { return static_cast<std::size_t>(first_child) + static_cast<std::size_t>(side); }
+  std::size_t child(int side) const {
+    return static_cast<std::size_t>(first_child) + static_cast<std::size_t>(side);
+  }
 };
 
 /// An inner node over several polygons: children are groups or polygons.
@@ -76,7 +78,7 @@ struct GroupNode {
 class PatchForest {
  public:
   PatchForest() = default;
-  /// One patch a polygon with radiosity = exitance, and the groups above the polygons.
+  /// Makes one patch per polygon with radiosity = exitance, and the groups above the polygons.
   PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands, int terms);
 
   std::size_t size() const { return nodes_.size(); }
@@ -85,13 +87,13 @@ class PatchForest {
   const PatchNode& node(std::size_t i) const { return nodes_[i]; }
   std::span<const PolygonFrame> frames() const { return frames_; }
   std::span<const GroupNode> groups() const { return groups_; }
-  /// The polygons in the groups' order: a group's polygons are consecutive.
+  /// Returns the polygons in the groups' order: a group's polygons are consecutive.
   std::span<const std::uint32_t> order() const { return order_; }
-  /// Number of polygons; node k is the whole of polygon k.
+  /// Returns the number of polygons; node k is the whole of polygon k.
   std::size_t polygons() const { return frames_.size(); }
 
-  /// The node with this path, or its deepest ancestor that has been made. Walks down from the
-  /// polygon: one step a bit of the path.
+  /// Returns the node with this path, or its deepest ancestor that has been made. Walks down from
+  /// the polygon: one step per bit of the path.
   std::size_t find(PatchId id) const;
   /// Makes the two children of a leaf; their light is the parent's, restricted. Returns the first
   /// child.
@@ -102,8 +104,8 @@ class PatchForest {
   std::span<const double> radiosities() const { return radiosity_; }
   std::span<double> irradiance(std::size_t node) { return row(irradiance_, node); }
   std::span<const double> irradiance(std::size_t node) const { return row(irradiance_, node); }
-  /// Share of the node's cosine-weighted hemisphere that ends on a lit front side, by rays;
-  /// negative = not measured.
+  /// Returns the share of the node's cosine-weighted hemisphere that ends on a lit front side, by
+  /// rays; negative = not measured.
   float enclosed_share(std::size_t node) const { return enclosed_share_[node]; }
   void set_enclosed_share(std::size_t node, float share) { enclosed_share_[node] = share; }
   /// Marks all enclosed shares as not measured if they were measured with clearly fewer lit
@@ -111,53 +113,57 @@ class PatchForest {
   /// changes nothing: radiosities that oscillate about zero would trigger measurements in every
   /// iteration.
   void forget_enclosed_shares_below(std::uint32_t lit_polygons);
-  /// Per polygon: 1 where its radiosity is above zero in some band.
+  /// Returns per polygon 1 where its radiosity is above zero in some band.
   std::span<const char> lit() const { return lit_; }
-  /// Number of polygons whose radiosity is above zero in some band.
+  /// Returns the number of polygons whose radiosity is above zero in some band.
   std::uint32_t lit_polygons() const { return lit_polygons_; }
-  /// No light can reach the polygon (unreachable_polygons.hpp), as inside a wall; it receives none.
+  /// True where the polygon is estimated to receive no light (unreachable_polygons.hpp), as inside
+  /// a wall; no light is gathered for it.
   bool unreachable(std::size_t polygon) const { return unreachable_[polygon] != 0; }
   void mark_unreachable(std::size_t polygon) { unreachable_[polygon] = 1; }
 
-  /// Mean radiosity per band of a group's polygons, weighted by area.
+  /// Returns the mean radiosity per band of a group's polygons, weighted by area.
   std::span<const double> group_radiosity(std::size_t group) const {
     return {group_radiosity_.data() + group * static_cast<std::size_t>(bands_),
             static_cast<std::size_t>(bands_)};
   }
-  /// Standard deviation of radiosity among a group's polygons, weighted by area; worst band.
+  /// Returns the standard deviation of radiosity among a group's polygons, weighted by area; worst
+  /// band.
   double group_deviation(std::size_t group) const { return group_deviation_[group]; }
-  /// Mean exitance of a node in a band.
+  /// Returns the mean exitance of a node in a band.
   double exitance(PatchId node, std::size_t band) const {
     return node.is_group() ? group_exitance_[node.group() * static_cast<std::size_t>(bands_) + band]
                            : frames_[node.root].exitance[band];
   }
-  /// The name of the node over all of the cluster: its topmost group, or its only polygon.
+  /// Returns the name of the node over all of the cluster: its topmost group, or its only polygon.
   PatchId root() const { return groups_.empty() ? PatchId{} : PatchId{PatchId::group_bit, 1}; }
-  /// RMS difference over the node between its descendants' radiosity and its own affine function;
-  /// zero at a leaf.
+  /// Returns the RMS difference over the node between its descendants' radiosity and its own affine
+  /// function; zero at a leaf.
   double deviation(std::size_t node) const { return deviation_[node]; }
 
-  /// Push-pull (Hanrahan, Salzman and Aupperle 1991): irradiance gathered at every node ->
-  /// radiosity of every node. Push to the leaves, pull to the roots (area-weighted, exact for the
-  /// basis). `gathered` is indexed like the light.
+  /// Push-pull (Hanrahan, Salzman and Aupperle 1991): computes the radiosity of every node from the
+  /// irradiance gathered at every node. Pushes to the leaves and pulls to the polygons
+  /// (area-weighted, exact for the basis). `gathered` is indexed like the light.
   void push_pull(std::span<const double> gathered);
   /// Adds to each node's `width` values the values of all its ancestors. The first 3 * `affine`
   /// values (linear basis) are affine functions over the node and are restricted to it; the others
   /// are constants.
   void push(std::span<double> values, std::size_t width, int affine) const;
-  /// The leaves' irradiance -> irradiance and radiosity of every node, and of the groups.
+  /// Computes from the leaves' irradiance the irradiance and radiosity of every node, and of the
+  /// groups.
   void pull();
-  /// The leaf of a polygon that contains point p of its plane.
+  /// Returns the leaf of a polygon that contains point p of its plane.
   std::size_t leaf_at(std::size_t polygon, const Vec3& p) const;
-  /// Radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its plane.
+  /// Writes the radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
+  /// plane.
   void evaluate(bool radiosity, std::size_t polygon, const Vec3& p, std::span<double> out) const;
-  /// The node's own affine function of radiosity at `shift` from its centroid.
+  /// Returns the value of the node's own affine function of radiosity at `shift` from its centroid.
   double radiosity_at(std::size_t node, std::size_t band, const Vec2& shift) const {
     const double* b = radiosity_.data() + node * stride() + band * static_cast<std::size_t>(terms_);
     return b[0] + (terms_ == 3 ? b[1] * shift.x + b[2] * shift.y : 0.0);
   }
 
-  /// Bytes on the heap.
+  /// Returns the bytes on the heap.
   std::size_t memory_bytes() const;
   /// Gives back the memory that growing vectors have reserved.
   void shrink();

@@ -12,7 +12,7 @@ namespace enfilade {
 /// becomes exitance, base colour reflectance. Throws InputError.
 Scene import_model(const std::string& path, Warnings& warnings);
 
-/// A scene file of ours, or any model that import_model() takes, by the file's extension.
+/// Reads a scene file, or any model that import_model() takes, by the file's extension.
 Scene read_scene_or_model(const std::string& path, Warnings& warnings);
 
 }  // namespace enfilade

@@ -15,8 +15,9 @@ class RadianceModifiers {
   /// from there on. Fails for a modifier or an alias of something not defined.
   void define(const RadiancePrimitive& primitive);
 
-  /// The material of a shape; its first use warns of the properties that are lost. Fails where the
-  /// shape's modifier is not defined. A chain that ends at void leads to none, which passes light.
+  /// Returns the material of a shape; its first use warns of the properties that are lost. Fails
+  /// where the shape's modifier is not defined. A chain that ends at void leads to none, which
+  /// passes light.
   RadianceMaterial material_of(const RadiancePrimitive& shape, Warnings& warnings);
 
  private:
@@ -31,7 +32,8 @@ class RadianceModifiers {
   };
 
   Link find(const std::string& name, const RadiancePrimitive& user) const;
-  /// The first material of a chain; its number, none for void. `patterned` says if one is there.
+  /// Returns the first material of a chain; its number, none for void. `patterned` says if one is
+  /// there.
   Link end_of(Link link, bool& patterned) const;
 
   std::vector<Modifier> modifiers_;

@@ -14,9 +14,9 @@ struct RadiancePlace {
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const;
 };
 
-/// A number, finite; fails at `place` where `word` is none.
+/// Returns a number, finite; fails at `place` where `word` is none.
 double radiance_number(const std::string& word, const RadiancePlace& place);
-/// A word of the file as messages show it: in quotes, not too long.
+/// Returns a word of the file as messages show it: in quotes, not too long.
 std::string radiance_quoted(const std::string& word);
 
 class RadianceText {
@@ -28,11 +28,11 @@ class RadianceText {
   bool at_end();
   /// True at a line that Radiance would give to the shell; ask at_end() first.
   bool at_command() const { return bytes_[at_] == '!'; }
-  /// Where the next word stands.
+  /// Returns the place of the next word.
   const RadiancePlace& place() const { return place_; }
 
-  /// A word up to the next blank, or all between two equal quotation marks. Fails at the end of the
-  /// file, where `wanted` says what is missing.
+  /// Returns a word up to the next blank, or all between two equal quotation marks. Fails at the
+  /// end of the file, where `wanted` says what is missing.
   std::string word(const std::string& wanted);
   /// What follows the ! up to the end of the line; a backslash before it joins the next line.
   std::string command();

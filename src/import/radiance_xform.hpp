@@ -13,7 +13,7 @@ struct RadianceTransform {
 
   /// This one first, then `next`.
   RadianceTransform then(const RadianceTransform& next) const;
-  /// The image of a polygon, its front still its front: a mirror turns its winding around.
+  /// Returns the image of a polygon, its front still its front: a mirror turns its winding around.
   Polygon image_of(Polygon polygon) const;
 };
 

@@ -6,7 +6,8 @@
 
 namespace enfilade {
 
-/// The bytes of a file; InputError where it is missing, a directory, unreadable or empty.
+/// Returns the bytes of a file. Throws InputError where it is missing, a directory, unreadable or
+/// empty.
 std::string read_bytes(const std::string& path);
 
 /// Parses `text` of file `path`, or throws InputError with line and column. NaN, Infinity and
@@ -15,9 +16,9 @@ std::string read_bytes(const std::string& path);
 nlohmann::ordered_json parse_ordered_json(const std::string& text, const std::string& path);
 nlohmann::json parse_json(const std::string& text, const std::string& path);
 
-/// A value as a message shows it: short, on one line.
+/// Returns a value as a message shows it: short, on one line.
 std::string shown(const nlohmann::json& value);
-/// A name in quotes, on one line.
+/// Returns a name in quotes, on one line.
 std::string in_quotes(const std::string& name);
 
 }  // namespace enfilade

@@ -54,8 +54,8 @@ bool LinkVisibility::cut_parts(const Vec3& x, const LinkSide& shooter) {
   return true;
 }
 
-/// What a point with normal n sees of the shooter; none where that is too many parts. Raises `most`
-/// to the factors of this point.
+/// Returns the part of the shooter that a point with normal n sees; none where that is too many
+/// parts. Raises `most` to the factors of this point.
 std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, const Vec3& n,
                                                                const LinkSide& shooter,
                                                                PointCut& most) {

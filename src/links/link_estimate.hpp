@@ -16,8 +16,8 @@ namespace enfilade {
 struct LinkEstimate {
   std::array<float, 9>
       transport{};              ///< receiver term by shooter term; group receiver: {E, direction}
-  double receiver_error = 0.0;  ///< from what varies over the receiver
-  double shooter_error = 0.0;   ///< from visibility that varies over the shooter
+  double receiver_error = 0.0;  ///< from variation over the receiver that the fit leaves out
+  double shooter_error = 0.0;   ///< from the uncertainty of the visible share
   double variation = 0.0;       ///< error per unit of the shooter's variation
   bool invisible = false;       ///< certain: no light can arrive
 };
@@ -28,7 +28,7 @@ struct PointFactors {
   std::array<double, 4> at{};  ///< at PatchShape::quadrature
   double mean = 0.0;           ///< of these four
   double center = 0.0;
-  double rim = 0.0;  ///< the largest near the corners; 0 where the inner points say enough
+  double rim = 0.0;  ///< largest near the corners; 0 where the inner points suffice (not evaluated)
 };
 
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.
@@ -38,15 +38,16 @@ class LinkEstimator {
       : occluders_(&occluders), visibility_(occluders, method, work), work_(&work) {}
 
   using Between = LinkVisibility::Between;
-  /// `tolerance`: received power below which an error does not matter; it decides how many rays are
-  /// cast. `among`: `between` of a link whose sides contain these two.
+  /// Evaluates the link between the two sides. `tolerance`: received power below which an error
+  /// does not matter; it decides how many rays are cast. `among`: `between` of a link whose sides
+  /// contain these two.
   LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
                         const Between& among);
-  /// The polygons between the sides of the link that was evaluated last.
+  /// Returns the polygons between the sides of the link that was evaluated last.
   Between between() const { return visibility_.between(); }
-  /// Largest power that could arrive, by distance and size alone.
+  /// Returns an upper bound of the received power, by distance and size alone.
   static double power_bound(const LinkSide& receiver, const LinkSide& shooter);
-  /// Certain from the planes alone that no front side of one faces a front side of the other.
+  /// True where the planes alone prove that no front side of one faces a front side of the other.
   static bool faces_away(const LinkSide& receiver, const LinkSide& shooter);
 
  private:

@@ -26,8 +26,8 @@ class LinkRefinement {
   LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
-  /// Whether the link's error at the shooter's current light is within the tolerance, or cannot be
-  /// made smaller. `shooter`: the patches of link.shooter_cluster; null for a point light.
+  /// True where the link's error at the shooter's current light is within the tolerance or cannot
+  /// be made smaller. `shooter`: the patches of link.shooter_cluster; null for a point light.
   bool accurate_enough(const Link& link, std::span<const float> transport,
                        const PatchForest* shooter) const;
   /// Refines a link that is not accurate enough: appends the links that replace it to `kept`, or

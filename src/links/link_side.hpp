@@ -9,18 +9,18 @@
 
 namespace enfilade {
 
-/// What a node sends.
+/// The light that a node sends.
 struct NodeLight {
   double light = 0.0;      ///< mean radiosity, worst band (a point light's intensity)
   double variation = 0.0;  ///< RMS variation around the mean, worst band
 
-  /// Of a node; a patch that has not been made sends its ancestor's light.
+  /// Returns the light of a node; a patch that has not been made sends its ancestor's light.
   static NodeLight of(const PatchForest& forest, PatchId id);
   static NodeLight of(const PointLight& light);
 };
 
-/// One side of a link. A patch that its owner has not made is cut out of its ancestor here, with
-/// the ancestor's light.
+/// One side of a link. A patch that its owner has not subdivided is derived from its ancestor: its
+/// shape is cut out of the ancestor's, with the ancestor's light.
 struct LinkSide : NodeLight {
   const PatchForest* forest = nullptr;  ///< null: a point light
   ClusterId cluster;
@@ -37,11 +37,11 @@ struct LinkSide : NodeLight {
   const PolygonFrame& frame() const { return forest->frames()[id.root]; }
   Plane plane() const { return {frame().n, glm::dot(frame().n, frame().origin)}; }
   const GroupNode& group() const { return forest->groups()[id.group()]; }
-  /// A patch's part in front of the plane; the patch itself where all of it is in front.
+  /// Returns a patch's part in front of the plane; the patch itself where all of it is in front.
   LinkSide before(const Plane& plane) const;
   bool same_node(const LinkSide& o) const { return cluster == o.cluster && id == o.id; }
 
-  /// The seed of the random numbers for a pair of sides: a function of their names alone.
+  /// Returns the seed of the random numbers for a pair of sides: a function of their names alone.
   static std::uint64_t seed_of(const LinkSide& a, const LinkSide& b);
   static LinkSide of(const PatchForest& forest, ClusterId cluster, PatchId id);
   static LinkSide of(const PointLight& light, std::uint32_t number);

@@ -119,7 +119,8 @@ bool LinkVisibility::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide&
   return false;
 }
 
-/// Four rays have agreed: is it certain that all is open, or that `blocker` hides all?
+/// After four rays that agree: true where a proof shows that all is open, or that `blocker` hides
+/// all.
 bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, bool open,
                             std::uint32_t blocker) {
   ++work_->shafts;

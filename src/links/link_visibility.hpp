@@ -25,11 +25,12 @@ enum class VisibilityMethod {
 struct PairVisibility {
   std::array<double, 4> at{1.0, 1.0, 1.0, 1.0};  ///< share (0 .. 1) seen from each quarter
   double center = 1.0;       ///< share seen from the centre, or by rays from the whole patch
-  double uncertainty = 0.0;  ///< of the mean, as a share
-  /// Form factor: mean hidden factor that the four points do not predict.
+  double uncertainty = 0.0;  ///< of the mean visible share, as a share of the shooter
+  /// Mean hidden form factor that the four points do not predict.
   double unfit = 0.0;
-  /// Exact visibility only: the point sees a part of the shooter, and the centroid of this part's
-  /// light, from the shooter's centroid in its polygon's frame.
+  /// Exact visibility only. partial[k]: point k sees only a part of the shooter. seen_from[k]: the
+  /// centroid of this part's light, relative to the shooter's centroid, in the frame of the
+  /// shooter's polygon.
   std::array<bool, 4> partial{};
   std::array<Vec2, 4> seen_from{};
 
@@ -49,13 +50,14 @@ class LinkVisibility {
   /// too many.
   using Between = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-  /// Starts a pair. `among`: `between` of a pair whose sides contain the new pair's, or null.
+  /// Begins a pair. `among`: `between` of a pair whose sides contain the new pair's, or null.
   void begin(const Between& among) {
     among_ = among;
     all_between_ = false;
   }
-  /// Of a receiving patch. `group_factors`: form factor of each polygon of a shooting group.
-  /// `power`: received power if all is visible; `tolerance`: power that does not matter.
+  /// Returns the visibility of the shooter from a receiving patch. `group_factors`: form factor of
+  /// each polygon of a shooting group. `power`: received power if all is visible; `tolerance`:
+  /// power that does not matter.
   PairVisibility of(const LinkSide& receiver, const LinkSide& shooter,
                     std::span<const double> group_factors, double power, double tolerance);
   /// Casts a ray from x, on polygon `skip`, to a random point in a quarter (0 .. 3) of the shooter;
@@ -63,7 +65,7 @@ class LinkVisibility {
   bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
                 std::span<const double> group_factors, int quarter, Random& random,
                 std::uint32_t* blocker);
-  /// Of the pair that was evaluated last.
+  /// Returns the polygons between the sides of the pair that was evaluated last.
   Between between() const;
 
  private:

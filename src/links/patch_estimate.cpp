@@ -13,7 +13,7 @@ namespace {
 /// The corners' factors are taken a little inside the patch, by this share of the way to the
 /// centre.
 constexpr double rim_inset = 0.05;
-/// Below this share of the centre's factor, the four points' mean says that only a part of the
+/// Below this share of the centre's factor, the four points' mean indicates that only a part of the
 /// patch faces the shooter.
 constexpr double facing_in_part = 0.5;
 /// A linear basis transports the shooter's gradient; this share of the error by its variation
@@ -26,9 +26,9 @@ constexpr double least_group_variation = 0.02, most_group_variation = 10.0;
 /// Irradiance at the receiver's four points per coefficient of the shooter's affine radiosity.
 using PointRows = std::array<std::array<double, 3>, 4>;
 
-/// Received power per unit of the shooter's light if nothing stands between, from the shooter's
-/// side: a point light's by the receiver's solid angle, a patch's by reciprocity, A_r F_rs = A_s
-/// F_sr.
+/// Returns the unoccluded received power per unit of the shooter's light, computed from the
+/// shooter's side: a point light's by the receiver's solid angle, a patch's by reciprocity, A_r
+/// F_rs = A_s F_sr.
 double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& work) {
   if (shooter.is_light()) {
     ++work.form_factors;
@@ -43,8 +43,9 @@ double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& 
   return shooter.area_m2 * sum;
 }
 
-/// Light of a small shooter peaks between the receiver's points, but the total is known from the
-/// shooter's side: scales the factors to it. Returns by how much their mean differed from it.
+/// Rescales the factors of a shooter smaller than the receiver to the exact total, known by
+/// reciprocity, since its light peaks between the receiver's points. Returns the difference of
+/// their mean from the total.
 double match_total(const LinkSide& receiver, const LinkSide& shooter, PointFactors& factor,
                    WorkCount& work) {
   const bool small = shooter.is_light() || shooter.radius < receiver.radius;

@@ -18,11 +18,11 @@ enum class OracleKind {
 class RefinementOracle {
  public:
   virtual ~RefinementOracle() = default;
-  /// The link's error in received power (m2 times irradiance, worst band) at the shooter's current
-  /// light; a link is refined where this is above the tolerance.
+  /// Returns the link's error in received power (m2 times irradiance, worst band) at the shooter's
+  /// current light; a link is refined where this is above the tolerance.
   virtual double estimated_error(const Link& link, std::span<const float> transport,
                                  const PatchForest& receiver, const NodeLight& shooter) const = 0;
-  /// Whether to split the receiver, else the shooter, of a link that is refined.
+  /// True where the receiver is to be split, and not the shooter, of a link that is refined.
   virtual bool splits_receiver(const LinkSide& receiver, const LinkSide& shooter,
                                const LinkEstimate& estimate) const = 0;
 };

@@ -17,7 +17,8 @@ class BackgroundLoad {
   /// Throws InputError(file, where, ...).
   BackgroundLoad(const std::string& text, const std::string& file, const std::string& where);
 
-  /// The time at which a request ends that begins at `start_s` and takes an idle disk `seconds`.
+  /// Returns the time at which a request ends that begins at `start_s` and takes an idle disk
+  /// `seconds`.
   double end_s(double start_s, double seconds) const;
 
  private:

@@ -47,9 +47,9 @@ struct CostModel {
 /// Throws InputError, naming the key, for an unknown, missing or negative figure.
 CostModel read_cost_model(const std::string& path);
 
-/// Flops that counted work costs.
+/// Returns the flops that counted work costs.
 double price_flops(const CostModel& model, const WorkCount& work);
-/// Bytes that a section counts for.
+/// Returns the bytes that a section counts for.
 std::uint64_t price_record(const CostModel& model, const RecordCount& count);
 
 /// "256M" -> bytes; suffixes K, M, G (powers of 1024). Throws InputError(file, where, ...).

@@ -47,15 +47,16 @@ class Machine {
   /// disk, queue and wire.
   virtual void read(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
   virtual void write(Disk disk, std::uint64_t file, std::uint64_t bytes) = 0;
-  /// From the local to the common directory: a renaming where both lie on one disk, else a copy.
+  /// Moves a file from the local to the common directory: a renaming where both lie on one disk,
+  /// else a copy.
   virtual void move_to_common(std::uint64_t file, std::uint64_t bytes) = 0;
-  /// The size that a section counts for, on the disk and in memory: its own, or (simulated) that of
-  /// the records of the modelled program.
+  /// Returns the size that a section counts for, on the disk and in memory: its own, or (simulated)
+  /// that of the records of the modelled program.
   virtual std::uint64_t record_bytes(const RecordCount& count) const = 0;
 
-  /// Memory of the host that a rank may use, in bytes; 0 = not known, no limit.
+  /// Returns the memory of the host that a rank may use, in bytes; 0 = not known, no limit.
   virtual std::uint64_t memory_bytes() const = 0;
-  /// The most memory that this rank has used, in bytes. Real: as measured of its process.
+  /// Returns the most memory that this rank has used, in bytes. Real: as measured of its process.
   /// Simulated: `counted_bytes`, what the caller counted, since all ranks share one process.
   virtual std::uint64_t peak_memory_bytes(std::uint64_t counted_bytes) const {
     return counted_bytes;
@@ -64,13 +65,15 @@ class Machine {
   /// is counted and not measured.
   virtual void return_freed_memory() {}
 
-  /// Seconds since the start: wall clock, or simulated.
+  /// Returns the seconds since the start: wall clock, or simulated.
   virtual double now_s() const = 0;
-  /// Time passes by itself, as on a wall clock (real), and not only by what is charged (simulated).
+  /// True where time passes by itself, as on a wall clock (real), and not only by charges
+  /// (simulated).
   virtual bool time_passes_by_itself() const = 0;
-  /// Before others hear of this rank: lets pass what was charged so far. Real: nothing.
+  /// Lets the time charged so far pass, before a message to other ranks. Real: does nothing.
   virtual void settle() {}
-  /// Between two polls for messages; `turn` counts the polls in vain, so that waiting can back off.
+  /// Waits between two polls for messages; `turn` counts the polls in vain, so that waiting can
+  /// back off.
   virtual void pause(int turn) = 0;
   /// Waits for a message. Real: calls `poll` until it returns true, with pauses in between that
   /// leave the core to others. Simulated: calls `block`, which waits by itself, until it returns
@@ -78,21 +81,21 @@ class Machine {
   virtual void wait_for_message(const std::function<bool()>& poll,
                                 const std::function<bool()>& block);
 
-  /// Name of the host that this rank runs on.
+  /// Returns the name of the host that this rank runs on.
   virtual std::string host() const = 0;
   /// Adds what only this machine can tell of a run to its record, on rank 0; `longest_s` is the
   /// longest time, by now_s(), that a rank took. Simulated: `simulated_s`. Real: nothing.
   virtual void describe(RunRecord& record, double longest_s) const;
 
-  /// From now on, time belongs to `phase`. Returns the phase before.
+  /// Begins `phase`, to which time belongs from now on. Returns the phase before.
   Phase enter(Phase phase);
-  /// Seconds so far, by phase.
+  /// Returns the seconds so far, by phase.
   std::array<double, phase_count> seconds() const;
   TimeUse time_use() const;
 
-  /// From now on, phases are kept over time.
+  /// Begins to keep the phases over time.
   void trace();
-  /// The phases since trace(), over now_s(); nothing without it.
+  /// Returns the phases since trace(), over now_s(); nothing without it.
   std::optional<PhaseProfile> profile() const;
 
  private:

@@ -22,8 +22,8 @@ struct DiskArm {
   BackgroundLoad others;   ///< what other programs take of the disk
 };
 
-/// The arm of this disk, made by the first rank that asks; it lives as long as the simulation.
-/// Throws InputError for a disk without bandwidth or with a bad property.
+/// Returns the arm of this disk, made by the first rank that asks; it lives as long as the
+/// simulation. Throws InputError for a disk without bandwidth or with a bad property.
 DiskArm& arm_of(simgrid::s4u::Disk& disk, const DiskCosts& costs);
 
 /// The route of bytes from one host to another.
@@ -41,12 +41,12 @@ struct Server {
   Wire from, to;
 };
 
-/// The disks that hold the common directory, for a rank on the host `here`: those of hosts with
-/// serves="common", or its own where it is alone and its host has serves="alone". Throws InputError
-/// where there are none or no route leads to one.
+/// Returns the disks that hold the common directory, for a rank on the host `here`: those of hosts
+/// with serves="common", or its own where it is alone and its host has serves="alone". Throws
+/// InputError where there are none or no route leads to one.
 std::vector<Server> common_servers(simgrid::s4u::Host& here);
 
-/// The host's property `memory`, in bytes; 0 where it has none.
+/// Returns the host's property `memory`, in bytes; 0 where it has none.
 std::uint64_t memory_of(const simgrid::s4u::Host& host);
 
 /// Reads the properties of all hosts and disks, so that every rank refuses the same platform.

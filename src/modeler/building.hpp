@@ -75,8 +75,8 @@ struct Building {
   bool is_furnace() const { return furnace > 0.0; }
   double storey_height_m() const { return room_height_m + slab_m; }
   int bays() const;
-  /// An error about the value of a key, by its path (wings[2].turn): it names the file, or the
-  /// option of the command line that set the value.
+  /// Returns an error about the value of a key, by its path (wings[2].turn): it names the file, or
+  /// the option of the command line that set the value.
   InputError fault(const std::string& key, const std::string& what, const std::string& hint) const;
 };
 

@@ -17,9 +17,9 @@ struct Space {
   FurnitureCounts has{};
 };
 
-/// A storey's spaces with all of the building's furniture dealt out evenly, in an order that the
-/// seed and the storey choose. Throws InputError where there is more of a kind than there are
-/// places.
+/// Returns a storey's spaces with all of the building's furniture distributed evenly, in an order
+/// that the seed and the storey choose. Throws InputError where there is more of a kind than there
+/// are places.
 std::vector<Space> deal_furniture(const Building& building, const BuildingPlan& plan,
                                   const Storey& storey);
 /// How many of a kind find place in a space that holds what it `has` so far.

@@ -16,7 +16,7 @@ struct GeneratedCounts {
 GeneratedCounts generate_building(const Building& building, const SurfaceSink::Receiver& receive,
                                   std::vector<Probe>* probes = nullptr);
 
-/// The same, in memory.
+/// Makes the building as a scene in memory.
 Scene building_scene(const Building& building);
 
 }  // namespace enfilade

@@ -29,7 +29,7 @@ struct Finish {
   unsigned variant = 0;
 };
 
-/// Red, green and blue, or one grey band of the same luminance.
+/// Returns red, green and blue, or one grey band of the same luminance.
 Spectrum reflectance_of(const Finish& finish, bool colours);
 
 }  // namespace enfilade

@@ -10,7 +10,7 @@
 
 namespace enfilade {
 
-/// A point of the plan at a height.
+/// Returns a point of the plan at a height.
 inline Vec3 raised(const Vec2& p, double z) { return {p.x, p.y, z}; }
 
 /// A hole in a wall: its ends on the wall's line as seen from the side that reflects.
@@ -55,7 +55,7 @@ struct Frame {
   Vec3 at(double px, double py, double pz) const {
     return raised(origin + px * x + py * y, z + pz);
   }
-  /// The same frame at another place, in its own coordinates.
+  /// Returns the same frame at another place, in its own coordinates.
   Frame moved(double px, double py, double pz) const {
     return {origin + px * x + py * y, x, y, z + pz};
   }

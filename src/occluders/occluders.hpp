@@ -50,11 +50,11 @@ class Occluders {
   double tolerance_m() const { return 1e-7 * extent_m_; }
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
   bool shaft_shut(const Polygon& a, const Polygon& b, std::uint32_t blocker) const;
-  /// The polygons that pass within reach_m of p, in ascending order.
+  /// Returns the polygons that pass within reach_m of p, in ascending order.
   std::vector<std::uint32_t> touching(const Vec3& p, double reach_m) const;
-  /// The diagonal of the box around all polygons.
+  /// Returns the diagonal of the box around all polygons.
   double extent_m() const { return extent_m_; }
-  /// Bytes in memory, roughly.
+  /// Returns the bytes in memory, roughly.
   std::size_t bytes() const;
 
  private:

@@ -13,9 +13,9 @@ namespace enfilade {
 /// Whether a ray counts that ends on the front side of this polygon.
 using EndsRay = std::function<bool(const PolygonRef&)>;
 
-/// Share (0 .. 1) of cosine-distributed rays from random points of patch `node` that end on a front
-/// side which counts. `rings` * `rings` strata of directions from each quarter of the patch, so 4
-/// rings^2 rays.
+/// Returns the share (0 .. 1) of cosine-distributed rays from random points of patch `node` that
+/// end on a front side which counts. `rings` * `rings` strata of directions from each quarter of
+/// the patch, so 4 rings^2 rays.
 double enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
                       const Occluders& occluders, const EndsRay& ends, WorkCount& work);
 

@@ -18,7 +18,7 @@ double largest(const Spectrum& bands) {
   return bands.empty() ? 0.0 : *std::max_element(bands.begin(), bands.end());
 }
 
-/// The radiosity equation with one value a polygon, form factors by rays, and the largest band
+/// The radiosity equation with one value per polygon, form factors by rays, and the largest band
 /// alone.
 class RoughSolution {
  public:

@@ -1,4 +1,4 @@
-// Where a building is not closed, told to its user.
+// Leaks of a building as warnings to the user.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// One warning a leak: which cell, where, how wide.
+/// Adds one warning per leak: which cell, where, how wide.
 void warn_of_leaks(const std::vector<Leak>& leaks, Warnings& warnings);
 
 }  // namespace enfilade

@@ -49,7 +49,7 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// Is there a polygon between a and b, other than those numbered skip_a and skip_b?
+  /// True where a polygon lies between a and b, other than those numbered skip_a and skip_b.
   bool occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a = no_polygon,
                 std::uint32_t skip_b = no_polygon, RayStart start = RayStart::on_polygon) const;
   /// Answers `occluded` for each segment: blocked[i] is 1 where segment i is blocked, else 0. Both
@@ -57,8 +57,8 @@ class RayScene {
   void occluded(std::span<const Sight> segments, std::span<std::uint8_t> blocked,
                 RayStart start = RayStart::on_polygon) const;
 
-  /// First hit from `from` along `direction` (any length but 0), skipping polygon `skip`. Of
-  /// polygons in one place, one that shows its front.
+  /// Returns the first hit from `from` along `direction` (any length but 0), skipping polygon
+  /// `skip`. Of polygons in one place, one that shows its front.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30, RayStart start = RayStart::on_polygon) const;
   /// The first hit of each ray; both spans have the same size.
@@ -68,7 +68,7 @@ class RayScene {
   /// Rays are blind this close to an end on a polygon: about the single-precision step at the
   /// scene's extent.
   double epsilon_m() const;
-  /// Memory of the BVH and of what is kept beside it, estimated.
+  /// Returns the memory of the BVH and of what is kept beside it, estimated.
   std::size_t bytes() const;
 
  private:

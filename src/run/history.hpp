@@ -11,7 +11,8 @@
 
 namespace enfilade {
 
-/// Includes iterations from before a crash; none where nothing is committed.
+/// Returns the iterations up to the committed one. Includes iterations from before a crash; none
+/// where nothing is committed.
 inline std::vector<IterationSummary> history_of(const std::optional<Manifest>& manifest) {
   std::vector<IterationSummary> history;
   if (!manifest) return history;

@@ -10,7 +10,7 @@ namespace enfilade {
 
 /// {"leaks": [{"kind", "cell", "area_m2", "width_m", "path": [[x,y,z], ...]}, ...]}.
 void write_leaks(const std::string& run_directory, const std::vector<Leak>& leaks);
-/// None where the file is not there. Throws RunError where it is damaged.
+/// Reads the leaks; none where the file is missing. Throws RunError where it is damaged.
 std::vector<Leak> read_leaks(const std::string& run_directory);
 
 }  // namespace enfilade

@@ -25,16 +25,16 @@ struct Manifest {
   std::vector<double> correction;
   CoarseUnknowns unknowns;  ///< which unknowns of the correction belong to which cluster
 
-  /// The slot that this iteration's patches lie in.
+  /// Returns the slot that this iteration's patches lie in.
   Slot slot() const { return iteration % 2 == 0 ? Slot::a : Slot::b; }
 };
 
-/// None where RUN holds no solution. Throws RunError for a manifest that is damaged or of another
-/// version.
+/// Reads the manifest; none where RUN holds no solution. Throws RunError for a manifest that is
+/// damaged or of another version.
 std::optional<Manifest> read_manifest(const RunLayout& layout);
 /// Commits the iteration. Once a run is finished, its files are flushed to the disk as well.
 void commit_manifest(const RunLayout& layout, const Manifest& manifest);
-/// From now on RUN holds no solution.
+/// Removes the manifest, so that RUN holds no solution.
 void remove_manifest(const RunLayout& layout);
 
 }  // namespace enfilade

@@ -18,7 +18,8 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
                  Warnings& warnings, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
 Prepared load_prepared(const std::string& run_directory);
-/// Is `run_directory` prepared for the scene with this hash, and with this configuration?
+/// True where `run_directory` is prepared for the scene with this hash, and with this
+/// configuration.
 bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
                  const PrepareConfig& config);
 

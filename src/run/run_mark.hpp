@@ -22,7 +22,7 @@ struct RunMark {
   Warnings warnings;  ///< what the scene gave rise to
 };
 
-/// Nothing where the directory has no mark of enfilade.
+/// Reads the mark; none where the directory has no mark of enfilade.
 std::optional<RunMark> read_run_mark(const std::string& run_directory);
 void write_run_mark(const std::string& run_directory, const RunMark& mark);
 

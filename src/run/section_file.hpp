@@ -45,7 +45,7 @@ void write_section(const std::string& path, const SectionInfo& info,
 /// Throws RunError for a file that is missing, cut short, damaged (XXH64), of another version, or
 /// of another cluster or section than asked for.
 SectionFile read_section(const std::string& path, ClusterId cluster, Section section);
-/// XXH64 of the bytes, as the files carry it.
+/// Returns XXH64 of the bytes, as the files carry it.
 std::uint64_t checksum(std::span<const std::byte> bytes);
 
 }  // namespace enfilade

@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// All clusters of the last committed iteration, in order of their ids, after its coarse
+/// Returns all clusters of the last committed iteration, in order of their ids, after its coarse
 /// correction; with their links if `links`. Throws InputError where RUN holds no solution, RunError
 /// for a damaged file.
 std::vector<ClusterState> read_solution(const std::string& run_directory, bool links = false);

@@ -11,9 +11,9 @@ namespace enfilade {
 /// grey RGB scene; `band_of` then says which band stands for each band of the file.
 void merge_equal_bands(Scene& scene);
 
-/// The number of bands of the scene's file.
+/// Returns the number of bands of the scene's file.
 std::size_t bands_of_file(const Scene& scene);
-/// Values in the bands that are solved, as values in the bands of the file.
+/// Returns values in the bands that are solved, as values in the bands of the file.
 Spectrum in_bands_of_file(const Scene& scene, std::span<const double> solved);
 
 }  // namespace enfilade

@@ -39,7 +39,7 @@ struct Probe {
 enum class ExitanceUnit { watt_per_m2, lumen_per_m2 };
 /// "W/m2" or "lm/m2".
 const char* name_of(ExitanceUnit unit);
-/// The label of an irradiance in this unit: "W/m2" or "lx".
+/// Returns the label of an irradiance in this unit: "W/m2" or "lx".
 const char* irradiance_label(ExitanceUnit unit);
 
 struct Scene {

@@ -28,19 +28,19 @@ class KeyReader {
     return value.get<double>();
   }
   Vec3 point(const nlohmann::json& value, const std::string& where) const;
-  /// One number or a list of them, each checked to lie in [low, high).
+  /// Returns one number or a list of them, each checked to lie in [low, high).
   Spectrum spectrum(const nlohmann::json& value, const std::string& where, double high) const;
   std::string text(const nlohmann::json& value, const std::string& where) const;
   bool flag(const nlohmann::json& value, const std::string& where) const;
   const nlohmann::json& list(const nlohmann::json& value, const std::string& where) const;
-  /// The value under `key`, which must be there.
+  /// Returns the value under `key`, which must be there.
   const nlohmann::json& need(const nlohmann::json& object, const char* key,
                              const std::string& where) const;
 
-  /// Metres per unit of length for "m", "mm", "cm", "ft", "in".
+  /// Returns metres per unit of length for "m", "mm", "cm", "ft", "in".
   double metres_per_unit(const nlohmann::json& document) const;
-  /// The list under "probes"; points scaled, normals of unit length. Extra keys go to `unknown` if
-  /// given.
+  /// Returns the list under "probes"; points scaled, normals of unit length. Extra keys go to
+  /// `unknown` if given.
   std::vector<Probe> probes(const nlohmann::json& document, double scale,
                             std::set<std::string>* unknown) const;
 

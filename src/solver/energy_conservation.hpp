@@ -1,5 +1,5 @@
-// The balance of light: what is sent out must be absorbed or leave. Closed rows (row_closure.hpp)
-// see to each receiver's form factors; what the shooters' columns lack is mended here.
+// Power balance: emitted power must be absorbed or escape. Row closure (gather/row_closure.hpp)
+// corrects the receivers' rows; the flux correction corrects what the columns lack.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -7,19 +7,19 @@
 
 namespace enfilade {
 
-/// What of the emitted power surfaces send out. How much of the point lights' leaves at once is not
-/// measured: what arrives of theirs is taken for what they send.
+/// Returns, per band, the power emitted by surfaces: `emitted` without point lights, whose direct
+/// power is measured where it arrives (IterationFigures::direct_power).
 Spectrum surfaces_power(const Scene& scene, Spectrum emitted);
 
-/// Share of the light that surfaces send and point lights bring in which was lost between surfaces
-/// (or made: negative), in band b. More absorbed than that is always wrong; less is right as far as
-/// the rest was seen to leave, or may have ended on a black side. `surfaces`: surfaces_power().
+/// Returns the share of the sent power (emitted by surfaces, and direct power of point lights) that
+/// is neither absorbed nor seen to escape, in band b; negative where more is absorbed than sent.
+/// `surfaces`: surfaces_power().
 double unbalanced_share(const IterationFigures& figures, const Spectrum& surfaces, std::size_t b);
 
-/// IterationPlan::flux_correction for the iteration after `last`: what is lost goes to where the
-/// links are in uncertainty, each patch by its share of that, and never more than all of the doubt.
-/// As it was where the iterations to come may still bring a quarter of what is lost, or no more
-/// than `tolerance` is.
+/// Returns IterationPlan::flux_correction for the iteration after `last`. It distributes lost power
+/// over patches by their uncertain irradiance, at most all of it. Unchanged while the share lost is
+/// below `tolerance` or below four times the estimated iteration error, and while rows are not
+/// closed.
 Spectrum flux_correction(const IterationSummary& last, const Spectrum& surfaces, double tolerance);
 
 }  // namespace enfilade

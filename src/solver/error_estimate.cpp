@@ -9,13 +9,14 @@
 namespace enfilade {
 namespace {
 
-/// Before the first samples: errors of links have either sign, and mostly cancel where they meet.
+/// Share of the summed link errors that is taken as the local error before the first samples:
+/// errors of links have either sign and mostly cancel where they meet.
 constexpr double share_before_sampling = 0.25;
-/// What is left of the patches' local errors where a point gathers over many of them.
+/// Share of the patches' local errors that remains where a point gathers over many of them.
 constexpr double share_seen_together = 1.0 / 3.0;
-/// An error below this share of the sampling's noise cannot be told from none.
+/// Share of the sampling noise below which an error cannot be distinguished from zero.
 constexpr double share_hidden_by_noise = 0.1;
-/// Of a normal error.
+/// Mean absolute value of a normally distributed error over its standard deviation, rounded.
 constexpr double mean_over_standard_error = 0.8;
 
 double relative(double power, double received) {
@@ -23,7 +24,7 @@ double relative(double power, double received) {
   return received > 0.0 ? power / received : 1.0;
 }
 
-/// Share of band b's arriving light that was reflected.
+/// Returns the reflected share of band b's arriving power.
 double reflected_share(const IterationFigures& figures, std::size_t b) {
   return figures.arriving_power[b] > 0.0
              ? std::clamp(figures.returning_power[b] / figures.arriving_power[b], 0.0, 1.0)
@@ -43,7 +44,8 @@ const IterationSummary* last_sampled(std::span<const IterationSummary> history) 
   return nullptr;
 }
 
-/// Relative L1 residual of the patches' irradiance. Noise adds to it in quadrature.
+/// Returns the relative L1 difference of the patches' irradiance from the error samples, without
+/// the sampling noise, which adds to it in quadrature.
 double residual(const ErrorSampleSums& sums, std::size_t b) {
   if (b >= sums.light.size() || sums.light[b] <= 0.0) return 0.0;
   const double noise = sums.noise[b], square = sums.off[b] * sums.off[b] - noise * noise;
@@ -51,14 +53,14 @@ double residual(const ErrorSampleSums& sums, std::size_t b) {
   return std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b];
 }
 
-/// Relative noise of one sampled point in band b, mean over the points.
+/// Returns the relative noise of one sampled point in band b, mean over the points.
 double sample_noise(const ErrorSampleSums& sums, std::size_t b) {
   return b < sums.light.size() && sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
 }
 
-/// The rays of a gathered point bring noise of their own, which falls a little faster than by the
-/// square root as they are stratified. A noisy point gets more of them, until it is noisy no more
-/// or has had 16 times as many.
+/// Returns the relative noise of a final gather at a point. Stratified rays reduce it a little
+/// faster than by the square root of their number. A noisy point gets more rays, until its noise is
+/// below least_noise() or it has had 16 times as many.
 double gather_noise(const IterationSummary* sampled, double patch_error, std::size_t b) {
   if (sampled == nullptr) return 0.0;
   PointGatherConfig config;
@@ -68,7 +70,7 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
   return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
 }
 
-/// The patches' own error in band b.
+/// Returns the local error of the patches in band b.
 double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationFigures& last = history.back().figures;
   const double now = relative(last.link_error_power, last.received_power);
@@ -83,7 +85,8 @@ double most_reflected(const IterationFigures& figures) {
                [&](std::size_t b) { return reflected_share(figures, b); });
 }
 
-/// The same links, closed and mended alike: only then does one change tell of the one before.
+/// True where both iterations used the same row closure and the same flux correction: only then is
+/// the ratio of their changes an estimate of the contraction factor.
 bool comparable(const IterationSummary& last, const IterationSummary& before) {
   return last.plan.close_rows == before.plan.close_rows &&
          last.plan.flux_correction == before.plan.flux_correction;
@@ -94,8 +97,8 @@ double ratio(const IterationSummary& last, const IterationSummary& before) {
   return change > 0.0 ? last.figures.change_power / change : 0.0;
 }
 
-/// The last two changes. One that rows being closed or light being mended has made is passed on as
-/// light is reflected.
+/// Returns the ratio of the last two changes; the reflected share of the light where row closure or
+/// flux correction changed between them.
 double change_ratio(std::span<const IterationSummary> history) {
   if (history.size() < 2) return 0.0;
   const IterationSummary& last = history.back();
@@ -104,8 +107,8 @@ double change_ratio(std::span<const IterationSummary> history) {
                   0.9999);
 }
 
-/// The largest that the last three ratios of changes over the same links show, two by two where
-/// they follow each other, for they may alternate; 0 where there are fewer.
+/// Returns the largest of the last three ratios of changes over the same links, as geometric means
+/// of two consecutive ratios where possible, since ratios may alternate; 0 where there are fewer.
 double steady_ratio(std::span<const IterationSummary> history) {
   struct Step {
     std::size_t at;
@@ -129,8 +132,8 @@ double steady_ratio(std::span<const IterationSummary> history) {
   return std::min(most, 0.9999);
 }
 
-/// Relative L1 of the changes to come, where each is `passed_on` times the one before: gathers' and
-/// the coarse system's, which is never taken for better than it was this time.
+/// Returns the relative L1 sum of the changes to come, where each is `passed_on` times the one
+/// before: the gathers' changes, and the coarse correction's, which counts at least once in full.
 double still_to_come(const IterationSummary& last, double passed_on) {
   const double series = passed_on / (1.0 - passed_on);
   return relative(series * last.figures.change_power + std::max(1.0, series) * last.missing_power,
@@ -160,7 +163,7 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
   const IterationFigures& figures = last.figures;
   estimate.iteration = still_to_come(last, change_ratio(history));
   estimate.iteration_bound = still_to_come(last, contraction(history));
-  const bool still = estimate.iteration_bound < 0.01;  // else the balance tells of light to come
+  const bool still = estimate.iteration_bound < 0.01;  // else light to come unbalances it
   const auto all_over = [&](std::size_t b) {
     return still ? std::max(0.0,
                             std::abs(unbalanced_share(figures, surfaces, b)) - estimate.iteration)

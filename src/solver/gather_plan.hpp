@@ -1,4 +1,4 @@
-// What an iteration's plan means to its gathers, and to the start of a solve.
+// The configuration of gathers from an iteration's plan, and the clusters at the start of a solve.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace enfilade {
 
-/// What stays the same over all gathers of a solve.
+/// The settings that stay the same over all gathers of a solve.
 struct GatherSettings {
   Basis basis = Basis::linear;
   int max_depth = 20;        ///< binary splits below a polygon
@@ -20,11 +20,12 @@ struct GatherSettings {
   VisibilityMethod visibility = VisibilityMethod::exact;
 };
 
-/// `area_m2`: of all clusters; error samples are spread over it.
+/// Returns the configuration of the gathers of an iteration. `area_m2`: of all clusters; error
+/// samples are spread over it.
 GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& settings,
                            const IterationMethod& method, double area_m2);
 
-/// Makes the clusters as they are before the first iteration: one patch a polygon, radiosity =
+/// Makes the clusters as they are before the first iteration: one patch per polygon, radiosity =
 /// exitance, no links, unreachable polygons marked. Finding these takes rays, which `work` counts.
 class InitialClusters {
  public:

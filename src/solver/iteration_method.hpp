@@ -13,19 +13,20 @@ namespace enfilade {
 /// Gauss-Seidel  a gather takes the newest light of those clusters that its own rank has gathered
 ///               for in this iteration: the paper's group iteration (§8)
 /// Hybrid, the default: Jacobi while links are refined or errors sampled, and wherever the coarse
-/// correction has several aggregates a cluster; Gauss-Seidel otherwise.
+/// correction has several aggregates per cluster; Gauss-Seidel otherwise.
 struct IterationMethod {
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
   bool jacobi = false;            ///< Jacobi in every iteration
 
-  /// The unknowns of the coarse correction. Several aggregates a cluster serve it alone.
+  /// Returns the unknowns of the coarse correction; without it, one aggregate per cluster.
   CoarseUnknowns unknowns(std::span<const Cluster> clusters) const {
     return coarse_correction ? coarse_unknowns(clusters) : coarse_unknowns(clusters, 1);
   }
-  /// Whether the iteration of `plan` is one of Jacobi's. Which links are refined must not depend on
-  /// the ranks' number and speeds, so refining iterations are; the coarse correction makes up for
-  /// the slower convergence. Where it has several aggregates a cluster, all of these must have been
-  /// read by the same receivers, else a shift of light between them would pass for power.
+  /// True where the iteration of `plan` is a Jacobi iteration. Which links are refined must not
+  /// depend on the ranks' number and speeds, so refining iterations must be Jacobi iterations; the
+  /// coarse correction makes up for the slower convergence. Where a cluster has several aggregates,
+  /// all receivers must read the same light of all of them, since otherwise a shift of light
+  /// between aggregates would be counted as a change of power.
   bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
     return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
   }

@@ -1,5 +1,5 @@
-// The schedule of link tolerances, and when a solve ends: a state machine that is a pure function
-// of what the iterations so far brought.
+// The schedule of link tolerances and the end of a solve: a state machine that is a pure function
+// of the summaries so far.
 #include "solver/iteration_plan.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ double first_epsilon(const PlanConfig& config) {
                               : config.weights.first_epsilon_share * config.target_error;
 }
 
-/// Iterations end below this bound of what later ones may still change.
+/// Returns the bound of the changes by later iterations below which iterations end.
 double iteration_tolerance(const PlanConfig& config) {
   return config.tolerance > 0.0 ? config.tolerance
                                 : config.weights.iteration_share * config.target_error;
@@ -36,7 +36,7 @@ int rays_of_a_sample(const PlanConfig& config) {
                                      w.least_sample_rays, w.most_sample_rays));
 }
 
-/// Errors were sampled after the last iteration that refined a link.
+/// True where errors were sampled after the last iteration that refined a link.
 bool links_were_sampled(std::span<const IterationSummary> history) {
   for (std::size_t i = history.size(); i-- > 0;) {
     if (history[i].plan.sample) return true;
@@ -45,8 +45,8 @@ bool links_were_sampled(std::span<const IterationSummary> history) {
   return false;
 }
 
-/// The last refining iteration had a finer tolerance than the one before, and refined no link: a
-/// still finer tolerance would find none either.
+/// True where the last refining iteration had a finer tolerance than the one before and refined no
+/// link: a still finer tolerance would refine none either.
 bool nothing_left_to_refine(std::span<const IterationSummary> history) {
   const IterationSummary* last_refining = nullptr;
   for (std::size_t i = history.size(); i-- > 0;) {
@@ -61,14 +61,14 @@ bool nothing_left_to_refine(std::span<const IterationSummary> history) {
   return false;
 }
 
-/// What the links contribute to the error of gathered light, or to that of the patches where these
-/// are held to the target too and are worse.
+/// Returns the links' part of the error of final-gathered light or, with `with_patches`, of the
+/// patches' light where that is larger.
 double links_error(const ErrorEstimate& error, bool with_patches) {
   return std::max(with_patches ? error.patches : 0.0, error.total()) - error.iteration;
 }
 
-/// Much finer links brought the error down by less than half as fast as their order promises: the
-/// rest of the error does not come from the links.
+/// True where much finer links reduced the error less than half as fast as their order predicts:
+/// the rest of the error does not come from the links.
 bool refinement_stagnates(std::span<const IterationSummary> history, bool with_patches,
                           const PlanWeights& w) {
   const IterationSummary& now = history.back();
@@ -83,27 +83,27 @@ bool refinement_stagnates(std::span<const IterationSummary> history, bool with_p
   return false;
 }
 
-/// What the last iteration shows, as the transitions ask for it.
+/// What the last iteration shows: the conditions of the transitions.
 struct Observation {
-  bool light_is_everywhere = false;  ///< changes are small beside what arrives
+  bool light_is_everywhere = false;  ///< the change is small relative to the received power
   bool few_links_refined = false;
-  bool rows_as_before = false;        ///< their closure has not begun just now
-  bool correction_as_before = false;  ///< the flux correction has not changed just now
+  bool rows_as_before = false;        ///< row closure did not begin just now
+  bool correction_as_before = false;  ///< the flux correction did not change just now
   bool links_rest() const {
     return light_is_everywhere && few_links_refined && rows_as_before && correction_as_before;
   }
   bool iterations_converged = false;
-  bool good_enough_to_sample = false;  ///< as far as the iterations go
+  bool good_enough_to_sample = false;  ///< the iterations have converged enough to sample errors
   double links_error = 0.0;
 };
 
 /// The states of a solve, each named after what its next iteration does.
 enum class State {
-  distribute,     ///< light has not been everywhere yet: refine, and scale the tolerance with it
-  refine_links,   ///< links of today's tolerance are refined at today's light
-  converge,       ///< links rest; gathers, the closure of rows and the flux correction converge
-  sample_errors,  ///< gather anew at sampled points
-  tighten_tolerance,  ///< links are too coarse for the asked error: refine with a finer tolerance
+  distribute,         ///< light is not fully distributed: refine, and scale the tolerance with it
+  refine_links,       ///< refine links at the present tolerance and light
+  converge,           ///< links are stable; light, row closure and flux correction converge
+  sample_errors,      ///< sample the error at points
+  tighten_tolerance,  ///< links are too coarse for the target error: refine with a finer tolerance
   finish,
   give_up,  ///< out of iterations
 };
@@ -124,7 +124,8 @@ State next_state(std::span<const IterationSummary> history, const Observation& s
   return seen.few_links_refined ? State::converge : State::refine_links;
 }
 
-/// The error falls with a power of the tolerance; the step is bounded both ways.
+/// Returns the next finer tolerance: the error falls with a power of the tolerance, and the step is
+/// bounded both ways.
 double tightened(double tolerance, double error, const PlanConfig& config) {
   const PlanWeights& w = config.weights;
   const double factor = std::pow(w.aim_share * config.target_error / error, w.tolerance_order);
@@ -145,7 +146,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
   const double bound = last.error.iteration_bound;
   seen.iterations_converged = bound <= iteration_tolerance(config);
-  // What the links are wrong by shows before the light has come to rest.
+  // The links' error can be measured before the iterations have converged.
   seen.good_enough_to_sample =
       bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
   const bool hold_patches = (config.patch_links == 0 || last.figures.links <= config.patch_links) &&
@@ -172,20 +173,21 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const bool light_is_everywhere =
       relative(last.figures.change_power, last.figures.received_power) <
       config.weights.settled_change;
-  // Once closed, rows stay so: closure moves the light as well, and opening them again would move
-  // it back for ever.
+  // Once closed, rows stay closed: closure changes the light, and leaving it out again would change
+  // the light back, without end.
   plan.close_rows = light_is_everywhere || last.plan.close_rows;
   plan.flux_correction = flux_correction(last, config.surfaces_power,
                                          config.weights.iteration_share * config.target_error);
   const Observation seen = observe(history, plan, config);
-  // Where little is absorbed, much more light arrives than is emitted, and errors are relative to
-  // what arrives.
+  // Where little is absorbed, much more power arrives than is emitted, and errors are relative to
+  // the arriving power.
   if (!seen.light_is_everywhere && config.epsilon <= 0.0) {
     plan.link_tolerance =
         first_epsilon(config) * std::max(worst_band(config.emitted_power),
                                          last.figures.received_power + last.missing_power);
   }
-  // Links that were not refined last time are fine at today's light too, as it hardly changes.
+  // Links that the last iteration did not refine stay within the tolerance, as the light hardly
+  // changes.
   plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);
   switch (next_state(history, seen, config)) {
     case State::distribute:

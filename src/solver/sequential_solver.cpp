@@ -44,7 +44,7 @@ class Solver {
   }
 
  private:
-  /// One iteration, its coarse correction included; the plan of the next one.
+  /// Runs one iteration, with its coarse correction, and returns the plan of the next.
   IterationPlan iterate(const IterationPlan& plan);
   IterationFigures gather(ClusterState& receiver, std::span<const ClusterState> light,
                           const GatherConfig& config, CoarseSystem& coarse);

@@ -1,5 +1,5 @@
 // The solver as a library: a scene in, its light out, in one thread of one process, without files,
-// messages or simulated machines. All parallel schemes are held against it.
+// messages or simulated machines. All parallel schemes are tested against it.
 #pragma once
 
 #include <span>
@@ -24,7 +24,8 @@ struct SolverConfig {
   IterationMethod method;
 };
 
-/// What next_plan() needs to know of a scene and of what is asked.
+/// Returns the PlanConfig of a solve, from the solver's configuration and the scene's emitted
+/// power.
 PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
                        std::span<const Cluster> clusters);
 
@@ -32,8 +33,8 @@ PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
 struct Solution {
   std::vector<ClusterState> clusters;  ///< in the order of their ids
   std::vector<IterationSummary> history;
-  bool converged = false;  ///< the asked error was reached; what it is estimated to be:
-  ErrorEstimate error;
+  bool converged = false;  ///< the target error was reached
+  ErrorEstimate error;     ///< the estimate after the last iteration
 };
 
 /// Gathers for the clusters in ascending order, iteration after iteration, until the plan ends.

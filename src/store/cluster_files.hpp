@@ -29,10 +29,10 @@ class ClusterFiles : public ClusterSource<ClusterState> {
   /// Links are those that go with the newest patches: load_section() of these patches, or
   /// store_sections() of this cluster, must have come before.
   virtual SectionFile load_section(const SectionName& name) = 0;
-  /// Of one cluster: its patches and, where they changed, its links. The iteration that writes them
-  /// and the links' slot are set here.
+  /// Stores the sections of one cluster: its patches and, where they changed, its links. The
+  /// iteration that writes them and the links' slot are set here.
   virtual void store_sections(std::vector<SectionFile> sections) = 0;
-  /// What load_section() will be called for, in this order.
+  /// Announces the sections that load_section() will be called for, in this order.
   virtual void prefetch(std::vector<SectionName>) {}
 
  private:

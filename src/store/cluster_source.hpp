@@ -35,20 +35,22 @@ template <class State>
 class ClusterSource {
  public:
   virtual ~ClusterSource() = default;
-  /// From now on `iteration` is the committed one.
+  /// Makes `iteration` the committed one.
   virtual void set_committed(int iteration) = 0;
   virtual int committed() const = 0;
-  /// Has the cluster been gathered for in this iteration, and may this rank see that light?
+  /// True where the cluster has been gathered for in this iteration and this rank may read that
+  /// light.
   virtual bool written(ClusterId id) const = 0;
 
-  /// What read_shooter() will be called for, in this order, so that it can come all at once.
+  /// Announces the clusters that read_shooter() will be called for, in this order, so that they can
+  /// be fetched at once.
   virtual void announce(std::span<const ShooterRequest>) {}
-  /// The cluster without its links. `known`: the same cluster as of any iteration, whose geometry
-  /// is not read again; may be null. Throws RunError where the cluster cannot be read.
+  /// Returns the cluster without its links. `known`: the same cluster as of any iteration, whose
+  /// geometry is not read again; may be null. Throws RunError where the cluster cannot be read.
   virtual std::unique_ptr<State> read_shooter(ClusterId id, Light light, const State* known) = 0;
   /// Gives a cluster with its newest light the links that go with it. Throws RunError.
   virtual void read_links(State& cluster) = 0;
-  /// What a gather made of the cluster: its patches, and its links if they changed.
+  /// Writes the cluster after its gather: its patches, and its links if they changed.
   virtual SectionBytes write(const State& cluster, bool links_changed) = 0;
   /// MoveToCommonDirectory of figure 2: all that was written in this iteration becomes visible to
   /// the other ranks once they call set_committed().

@@ -28,7 +28,7 @@ class ClusterStore final : public ClusterFiles {
 
   void set_committed(int iteration) override { committed_ = iteration; }
   int committed() const override { return committed_; }
-  /// Has this rank gathered for the cluster in this iteration?
+  /// True where this rank has gathered for the cluster in this iteration.
   bool written(ClusterId id) const override { return charges_.written(id); }
   SectionFile load_section(const SectionName& name) override;
   void store_sections(std::vector<SectionFile> sections) override;
@@ -39,7 +39,7 @@ class ClusterStore final : public ClusterFiles {
 
  private:
   Slot committed_slot() const { return committed_ % 2 == 0 ? Slot::a : Slot::b; }
-  /// The file of a cluster's patches or links in this iteration.
+  /// Returns the file of a cluster's patches or links in this iteration.
   std::string path_of(const std::string& directory, ClusterId id, Section section) const;
 
   RunLayout layout_;

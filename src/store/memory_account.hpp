@@ -39,11 +39,11 @@ class MemoryAccount {
 
   std::uint64_t bytes() const { return bytes_; }
   std::uint64_t budget_bytes() const { return budget_bytes_; }
-  /// How far to evict; `bytes()` or more where nothing has to go.
+  /// Returns the number of bytes down to which to evict; `bytes()` or more where nothing has to go.
   std::uint64_t goal_bytes() const;
 
   std::uint64_t peak_bytes() const { return peak_bytes_; }
-  /// Most by which the budget was passed.
+  /// Returns the most by which the budget was passed.
   std::uint64_t over_budget_bytes() const;
   const SimulatedPlacementCount& placement() const { return placement_.count(); }
 

@@ -32,9 +32,9 @@ struct WrittenReceiver {
   SectionWeight patches, links;  ///< links.file_bytes is 0 where they did not change
 };
 
-/// A cluster has two parts here: what it shoots with (geometry and patches), and its links, which
-/// only its own gather needs, once an iteration. Under pressure the part goes first whose next use
-/// lies farthest ahead; CYCLE says how far (Belady's rule, which no other rule can beat).
+/// A cluster has two parts here: geometry and patches, with which it shoots, and its links, which
+/// only its own gather needs, once per iteration. When memory is short, the part whose next use is
+/// farthest in the future is evicted first; CYCLE tells how far (Belady's rule, which is optimal).
 /// Nothing is ever written on eviction: a gathered cluster was written after its gather.
 /// State is ClusterState, or RecordedCluster where a run is replayed.
 template <class State>
@@ -48,7 +48,8 @@ class BasicResidentClusters {
                         MemoryManager manager = MemoryManager::own);
 
   void set_next_use(NextUse next_use) { next_use_ = std::move(next_use); }
-  /// From now on, each cluster of the committed iteration is changed so, once, before it is used.
+  /// Sets the change that is applied to each cluster of the committed iteration, once, before it is
+  /// used.
   void set_correction(std::function<void(State&)> correction);
   /// Brings these clusters in as shooters, all at once, and keeps them until the next call,
   /// whatever the budget.
@@ -65,12 +66,12 @@ class BasicResidentClusters {
   State& pin_receiver(ClusterId id, std::span<const ClusterId> visible = {});
   /// Keeps a shooter in memory until the next one is asked for, or unpin().
   const State& pin_shooter(ClusterId id);
-  /// After its gather: writes the receiver; its links only where the gather changed them.
+  /// Writes the receiver after its gather; its links only where the gather changed them.
   WrittenReceiver write_receiver(ClusterId id, bool links_changed);
   /// Ends the gather and evicts down to the budget.
   void unpin();
 
-  /// In the order of their ids.
+  /// Returns the clusters in memory, in the order of their ids.
   std::vector<ClusterId> resident() const;
   ResidencyCount count() const;
   std::uint64_t bytes() const { return account_.bytes(); }
@@ -93,12 +94,12 @@ class BasicResidentClusters {
   /// Turns until a part is used again; 0 = in the gather at hand.
   std::uint64_t turns_until(ClusterId id, bool links) const;
   bool pinned(ClusterId id) const;
-  /// The newest iteration of a cluster that this rank may see: the one under way, or the committed
-  /// one.
+  /// Returns the newest iteration of a cluster that this rank may see: the one under way, or the
+  /// committed one.
   int newest_iteration(ClusterId id) const { return source_.committed() + source_.written(id); }
   /// Does it shoot with the light before this iteration, though newer light is known?
   bool shoots_as_committed(ClusterId id) const { return jacobi_ && source_.written(id); }
-  /// What has to be read for it to shoot.
+  /// Appends what has to be read before the cluster can shoot.
   void list_missing(ClusterId id, std::vector<ShooterRequest>& missing) const;
   void evict();
   bool may_go(const Entry* entry, ClusterId id, bool links) const;

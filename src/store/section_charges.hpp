@@ -24,13 +24,13 @@ class SectionCharges {
   SectionCharges(Machine& machine, std::size_t clusters) : machine_(machine), written_(clusters) {}
 
   void read(Disk disk, ClusterId id, const RecordCount& count);
-  /// Patches or links, into the local directory. Patches come last.
+  /// Charges writing patches or links into the local directory. Patches come last.
   void write(ClusterId id, Section section, const RecordCount& count);
-  /// Have its patches been written since the last move_to_common()?
+  /// True where the cluster's patches have been written since the last move_to_common().
   bool written(ClusterId id) const { return written_[id.index()] != 0; }
-  /// Have its links?
+  /// True where its links have been written since then.
   bool links_written(ClusterId id) const;
-  /// All that was written, in the order of the clusters: calls `move`, then charges.
+  /// For all sections written, in the order of the clusters: calls `move`, then charges.
   void move_to_common(const std::function<void(ClusterId, Section)>& move);
 
   const StoreCount& count() const { return count_; }

@@ -16,7 +16,7 @@ class SimulatedHeap {
  public:
   AddressRange take(std::uint64_t bytes);
   void free(AddressRange range);
-  /// The first address behind the last block.
+  /// Returns the first address behind the last block.
   std::uint64_t end() const { return end_; }
 
  private:

@@ -23,7 +23,7 @@ class SimulatedPieces {
   void take(std::uint64_t bytes, std::vector<AddressRange>& ranges);
   void free(AddressRange range);
   bool page_empty(std::size_t page) const { return used_[page] == 0; }
-  /// The first address behind the last piece that was ever taken.
+  /// Returns the first address behind the last piece that was ever taken.
   std::uint64_t extent_bytes() const { return extent_bytes_; }
 
  private:

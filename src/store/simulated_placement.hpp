@@ -14,7 +14,7 @@ namespace enfilade {
 ///         back to the system (in the real heap: by malloc_trim)
 /// malloc  a general-purpose heap (simulated_heap.hpp)
 enum class MemoryManager { own, malloc };
-/// Throws InputError for a name that is neither.
+/// Throws InputError unless the name is `own` or `malloc`.
 MemoryManager memory_manager(const std::string& name);
 const char* name_of(MemoryManager manager);
 
@@ -38,8 +38,8 @@ class SimulatedPlacement {
 
   /// A block; 0 is none.
   using Block = std::uint32_t;
-  /// What a block of so many bytes counts for in the budget: whole pieces (own), or the bytes that
-  /// were asked for (malloc).
+  /// Returns the bytes of the budget that a block of so many bytes takes: whole pieces (own), or
+  /// the bytes that were asked for (malloc).
   std::uint64_t accounted(std::uint64_t bytes) const;
   /// Makes a block (0 before), gives it another size and so another place, or drops it (bytes = 0).
   void resize(Block& block, std::uint64_t bytes);

@@ -17,8 +17,8 @@ struct CandidateLists {
 CandidateLists candidate_lists(const std::vector<ClusterId>& clusters, const VisibilityCost& cost,
                                std::size_t width);
 
-/// A tour from `start`, always on to the cheapest candidate that is not yet visited; where all
-/// candidates are visited, to the cheapest of a few clusters with close ids.
+/// Returns a tour from `start`, always on to the cheapest candidate that is not yet visited; where
+/// all candidates are visited, to the cheapest of a few clusters with close ids.
 std::vector<std::uint32_t> nearest_neighbour_tour(const std::vector<ClusterId>& clusters,
                                                   const VisibilityCost& cost,
                                                   const CandidateLists& candidates,

@@ -13,11 +13,11 @@ namespace enfilade {
 /// random               a permutation by the seed
 /// input                by number, which runs through the building room by room
 /// backtracking         through G_cluster depth first, see tour/backtracking.hpp
-/// unshot_energy        the cluster with the most unshot energy before it, decided at each turn,
-/// see
-///                      tour/unshot_energy.hpp
+/// unshot_energy        the cluster with the most unshot energy before it, decided at each turn;
+///                      see tour/unshot_energy.hpp
 enum class TourOrder { travelling_salesman, greedy, random, input, backtracking, unshot_energy };
-/// The orders' names on the command line, in the enum's order: travelling-salesman, greedy, ...
+/// Returns the orders' names on the command line, in the enum's order: travelling-salesman, greedy,
+/// ...
 std::span<const char* const> order_names();
 const char* name_of(TourOrder order);
 /// Throws InputError for a name that is none of these.
@@ -27,11 +27,12 @@ TourOrder tour_order(const std::string& name);
 class Order {
  public:
   virtual ~Order() = default;
-  /// CYCLE: a permutation of the clusters.
+  /// Returns CYCLE: a permutation of the clusters.
   virtual std::vector<ClusterId> arrange(std::vector<ClusterId> clusters,
                                          const VisibilityCost& cost) const = 0;
-  /// Index of the cluster that gathers next, among those that have not gathered yet in this
-  /// iteration (in CYCLE's order, at least one). The first, unless the order depends on the light.
+  /// Returns the index of the cluster that gathers next, among those that have not gathered yet in
+  /// this iteration (in CYCLE's order, at least one). The first, unless the order depends on the
+  /// light.
   virtual std::size_t choose(std::span<const ClusterId>) const { return 0; }
   /// A gather of this rank has changed the receiver's power by this much: sum of area |B(k) -
   /// B(k-1)|.

@@ -22,11 +22,11 @@ class VisibilityCost {
   VisibilityCost(const ClusterGraph& graph, std::vector<std::uint64_t> bytes,
                  std::uint64_t memory_bytes, std::vector<std::uint64_t> receiver_bytes = {});
   std::uint64_t between(ClusterId from, ClusterId to) const;
-  /// For each receiver, the bytes that it needs of clusters that are not `resident` (§3.3.3: by
-  /// these the victim chooses the cluster that it gives away).
+  /// Returns for each receiver the bytes that it needs of clusters that are not `resident` (§3.3.3:
+  /// by these the victim chooses the cluster that it gives away).
   std::vector<std::uint64_t> given(std::span<const ClusterId> resident,
                                    std::span<const ClusterId> receivers) const;
-  /// Bytes that `receiver` needs when nothing is in memory.
+  /// Returns the bytes that `receiver` needs when nothing is in memory.
   std::uint64_t needed(ClusterId receiver) const { return needed_[receiver.index()]; }
   const ClusterGraph& graph() const { return *graph_; }
 
@@ -40,7 +40,7 @@ class VisibilityCost {
     return {words_.data() + first_word_[cluster], words_.data() + first_word_[cluster + 1]};
   }
   std::uint64_t bytes_of(std::uint32_t index, std::uint64_t bits) const;
-  /// Bytes of the word's clusters that are not in `held`.
+  /// Returns the bytes of the word's clusters that are not in `held`.
   std::uint64_t bytes_without(const Word& word, std::uint64_t held) const;
   std::uint64_t receiver_bytes(std::size_t cluster) const {
     return receiver_bytes_.empty() ? 0 : receiver_bytes_[cluster];
@@ -54,10 +54,10 @@ class VisibilityCost {
   std::vector<std::uint64_t> needed_;
 };
 
-/// Bytes of one round of a closed tour.
+/// Returns the bytes of one round of a closed tour.
 std::uint64_t cost_of_round(const std::vector<ClusterId>& order, const VisibilityCost& cost);
 
-/// CYCLE: a closed tour through a rank's clusters, traversed once an iteration.
+/// CYCLE: a closed tour through a rank's clusters, traversed once per iteration.
 class Cycle {
  public:
   Cycle() = default;
@@ -65,7 +65,8 @@ class Cycle {
   Cycle(std::vector<ClusterId> order, const VisibilityCost& cost);
 
   const std::vector<ClusterId>& order() const { return order_; }
-  /// Bytes of one round. A cycle of one cluster costs the bytes of it that do not fit into memory.
+  /// Returns the bytes of one round. A cycle of one cluster costs the bytes of it that do not fit
+  /// into memory.
   std::uint64_t cost_bytes() const { return cost_bytes_; }
   /// Links predecessor and successor together (§3.3.3). Does nothing for a cluster that is not in
   /// the cycle.

@@ -22,7 +22,7 @@ class UnshotEnergy final : public Order {
   }
   std::size_t choose(std::span<const ClusterId> waiting) const override;
   void gathered(ClusterId receiver, double change_power) override;
-  /// Power that a cluster has not gathered yet.
+  /// Returns the power that a cluster has not gathered yet.
   double waiting_power(ClusterId receiver) const { return power_[receiver.index()]; }
 
  private:

@@ -19,8 +19,9 @@ struct CellPart {
   Box box;
 };
 
-/// The cluster's own cell first, with all its polygons whole; then the cells that it sticks out
-/// into. `first_number`: number of the cluster's first polygon among the polygons of all clusters.
+/// Returns the cluster's own cell first, with all its polygons whole; then the cells that it sticks
+/// out into. `first_number`: number of the cluster's first polygon among the polygons of all
+/// clusters.
 std::vector<CellPart> parts_by_cell(const CellComplex& complex, const Cluster& cluster,
                                     std::uint32_t first_number);
 

@@ -28,7 +28,7 @@ class ClusterGraph {
     return {targets_.data() + offsets_[i], targets_.data() + offsets_[i + 1]};
   }
   bool has_edge(std::size_t i, std::size_t j) const;
-  /// The clusters whose light may reach this one, itself among them, in ascending order.
+  /// Returns the clusters whose light may reach this one, itself among them, in ascending order.
   std::vector<ClusterId> visible_to(ClusterId receiver) const;
 
  private:
@@ -43,16 +43,17 @@ struct VisibilityConfig {
   OcclusionConfig occlusion;
 };
 
-/// G_cell: pairs (a <= b) of cells that see each other through a sequence of portals; a cell sees
-/// itself.
+/// Returns G_cell: pairs (a <= b) of cells that see each other through a sequence of portals; a
+/// cell sees itself.
 std::vector<std::pair<CellId, CellId>> visible_cells(const CellComplex& complex,
                                                      const VisibilityConfig& config = {});
 
-/// G_cluster: clusters of one cell unless neither has a front side before the other's, and clusters
-/// of different cells that see each other through a sequence of portals. Each cluster is a source
-/// of its own, so that G_cluster is tighter than G_cell. With `prove_hidden` occluders tighten it
-/// further (occlusion.hpp): first between a cluster and each portal of a sequence, where a proof
-/// ends all sequences through that portal, then between the pairs of clusters that are left.
+/// Returns G_cluster: it joins clusters of one cell unless neither has a front side before the
+/// other's, and clusters of different cells that see each other through a sequence of portals. Each
+/// cluster is a source of its own, so that G_cluster is tighter than G_cell. With `prove_hidden`
+/// occluders tighten it further (occlusion.hpp): first between a cluster and each portal of a
+/// sequence, where a proof ends all sequences through that portal, then between the pairs of
+/// clusters that are left.
 ClusterGraph visible_clusters(const CellComplex& complex, std::span<const Cluster> clusters,
                               const Progress& progress = {}, const VisibilityConfig& config = {});
 

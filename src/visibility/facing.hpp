@@ -11,12 +11,12 @@ namespace enfilade {
 /// the rounding of turned and moved coordinates, far below the precision of a scene file.
 inline double rounding_m(double tolerance_m) { return 1e-3 * tolerance_m; }
 
-/// Has the polygon a vertex more than `flat_m` in front of the plane?
+/// True where the polygon has a vertex more than `flat_m` in front of the plane.
 bool any_in_front(const Polygon& polygon, const Plane& plane, double flat_m);
-/// Has the box a corner more than `flat_m` in front of the plane?
+/// True where the box has a corner more than `flat_m` in front of the plane.
 bool any_in_front(const Box& box, const Plane& plane, double flat_m);
 
-/// Is there a polygon of a and one of b, each with some of the other in front of it?
+/// True where there are a polygon of a and one of b, each with some of the other in front of it.
 bool face_each_other(std::span<const SourcePolygon> a, const Box& a_box,
                      std::span<const SourcePolygon> b, const Box& b_box, double flat_m);
 

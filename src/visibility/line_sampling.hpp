@@ -15,10 +15,10 @@ struct SampledLine {
   Vec3 a{0.0}, b{0.0};
 };
 
-/// A random line that passes all windows; none where a few tries find none.
+/// Returns a random line that passes all windows; none where a few tries find none.
 std::optional<SampledLine> draw_line(const LineSpace& lines, Random& random);
-/// A random line between the sides that need not pass the windows; none where the two points drawn
-/// do not face each other.
+/// Returns a random line between the sides that need not pass the windows; none where the two
+/// points drawn do not face each other.
 std::optional<SampledLine> draw_any_line(const LineSpace& lines, Random& random);
 
 }  // namespace enfilade

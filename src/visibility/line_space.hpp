@@ -40,9 +40,9 @@ struct LineSpaceCrossing {
   Polygon region;
 };
 
-/// The convex hull of the points in which lines of the line space cross the plane; none where the
-/// plane does not part the two sides. A part that lies in the plane, to `tolerance_m`, is on the
-/// side that it faces.
+/// Returns the convex hull of the points in which lines of the line space cross the plane; none
+/// where the plane does not part the two sides. A part that lies in the plane, to `tolerance_m`, is
+/// on the side that it faces.
 std::optional<LineSpaceCrossing> crossing(const LineSpace& lines, const Plane& plane,
                                           double tolerance_m);
 

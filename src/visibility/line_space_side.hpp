@@ -20,7 +20,7 @@ class LineSpacePart {
   std::uint32_t number() const { return number_; }
   const Polygon& polygon() const { return cut_.empty() ? *whole_ : cut_; }
   const Plane& plane() const { return plane_; }
-  /// The same part, cut to `polygon`, which lies within the part's polygon.
+  /// Returns this part, cut to `polygon`, which lies within the part's polygon.
   LineSpacePart cut_to(Polygon polygon) const {
     LineSpacePart part(*this);
     part.cut_ = std::move(polygon);

@@ -24,9 +24,9 @@ class OccluderPlanes {
 
   bool is_flat(std::uint32_t polygon) const { return flat_[polygon]; }
 
-  /// The parts of `openings` (convex, in plane k) that no polygon covers; polygons in `skip`
-  /// (sorted) do not cover. Stops at more than `max_pieces` parts and returns them, larger than
-  /// they are.
+  /// Returns the parts of `openings` (convex, in plane k) that no polygon covers; polygons in
+  /// `skip` (sorted) do not cover. Stops at more than `max_pieces` parts and returns them, larger
+  /// than they are.
   std::vector<Polygon> uncovered(std::uint32_t k, std::vector<Polygon> openings,
                                  std::span<const std::uint32_t> skip, std::size_t max_pieces) const;
 

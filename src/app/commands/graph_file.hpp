@@ -8,7 +8,7 @@
 namespace enfilade {
 
 /// {"clusters": [{"id", "cell", "surfaces": [index in the scene file, ...]}], "visible": [[id, id],
-/// ...]}; each visible pair once, the smaller id first. Surfaces in ascending order, each once a
+/// ...]}; each visible pair once, the smaller id first. Surfaces in ascending order, each once per
 /// cluster.
 std::string graph_json(const Prepared& prepared);
 

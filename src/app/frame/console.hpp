@@ -22,9 +22,9 @@ class Console {
   bool speaks() const { return speaks_; }
   /// Writes the text, unchanged, to standard output.
   void print(std::string_view text) const;
-  /// "enfilade: error: ..." on one line, whatever line breaks the message has.
+  /// Writes "enfilade: error: ..." on one line, whatever line breaks the message has.
   void error(const std::string& message) const;
-  /// "enfilade: warning: ...", one line a kind of warning.
+  /// Writes "enfilade: warning: ...", one line per kind of warning.
   void warnings(const Warnings& warnings) const;
   /// Writes one line on standard error that is neither an error nor a warning: "enfilade: ...".
   void note(const std::string& message) const;

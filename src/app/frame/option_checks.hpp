@@ -5,13 +5,13 @@
 
 namespace enfilade {
 
-/// A finite number above zero.
+/// Accepts a finite number above zero.
 CLI::Validator positive_number();
-/// A finite number, zero or above.
+/// Accepts a finite number, zero or above.
 CLI::Validator number_from_zero();
-/// A finite number with low < x < high.
+/// Accepts a finite number with low < x < high.
 CLI::Validator number_between(double low, double high);
-/// 0 <= x <= 1.
+/// Accepts a number with 0 <= x <= 1.
 CLI::Validator share_of_one();
 /// A whole number of at most 19 digits, the first no idle 0: a seed.
 CLI::Validator whole_number();

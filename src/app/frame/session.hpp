@@ -16,7 +16,7 @@ class Session {
   Session() : Session(true) {}
   virtual ~Session() = default;
 
-  /// Whether this process does what one process alone does.
+  /// True on the one process that prints and writes results: rank 0, or a process that runs alone.
   bool root() const { return console_.speaks(); }
   const Console& console() const { return console_; }
   /// Prints the error on one line and returns the exit status, 1 or 2.

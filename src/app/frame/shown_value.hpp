@@ -7,7 +7,8 @@
 
 namespace enfilade {
 
-/// A number as the end of its key asks for: seconds, bytes, a share in percent, else 4 digits.
+/// Returns a number as the end of its key asks for: seconds, bytes, a share in percent, else 4
+/// digits.
 std::string shown_number(const std::string& key, double x);
 
 /// Any value: counts with thousands, yes or no, text, and lists of numbers between commas.

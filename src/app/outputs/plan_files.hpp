@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// Bytes of the file that `path` names; it ends in .svg or .png.
+/// Returns the bytes of the file that `path` names; it ends in .svg or .png.
 std::string plan_content(const FloorPlan& plan, const std::string& path);
 /// "plans/house.svg", 2 -> "plans/house-2.svg".
 std::string numbered_path(const std::string& path, int number);

@@ -29,7 +29,7 @@ struct RunRecords {
   Warnings warnings;
 };
 
-/// The file history.json: one record an iteration.
+/// Returns the file history.json: one record per iteration.
 std::string history_json(std::span<const IterationSummary> history);
 
 /// Removes the files that an earlier solve wrote, so that none of them stands beside a new
@@ -41,7 +41,8 @@ void remove_run_outputs(const std::string& run_directory);
 /// `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
 
-/// The page of a run that has a solution: with plans, and with pictures where `pictures` is true.
+/// Returns the page of a run that has a solution: with plans, and with pictures where `pictures` is
+/// true.
 RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
                       const Progress& progress);
 

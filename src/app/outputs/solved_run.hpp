@@ -43,7 +43,7 @@ enum class ProbeMethod { gather, patches };
 /// Of "gather" or "patches"; InputError for any other word.
 ProbeMethod probe_method(const std::string& name);
 
-/// Irradiance per band at each probe.
+/// Returns the irradiance per band at each probe.
 std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
                                     ProbeMethod method, const Progress& progress = {});
 

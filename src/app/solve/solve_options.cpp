@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Options that the light depends on, or where it is written; a replay computes no light and
-/// refuses them. The other options concern how the work is shared out.
+/// refuses them. The other options concern how the work is distributed.
 constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",

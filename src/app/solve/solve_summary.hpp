@@ -28,14 +28,14 @@ class SolveProgress {
   double first_error_ = 0.0;  ///< 0 = no iteration yet
 };
 
-/// The table at the end of a solve; `record` is that of RUN/stats.json.
+/// Returns the table at the end of a solve; `record` is that of RUN/stats.json.
 std::string solve_summary(const std::string& run_directory, const RunRecord& record);
 
-/// A warning with the estimate and the remedy, where the solve gave up before it converged.
+/// Returns a warning with the estimate and the remedy, where the solve gave up before it converged.
 Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
                       int max_iterations);
 
-/// A warning with the number of iterations whose coarse correction could not be solved.
+/// Returns a warning with the number of iterations whose coarse correction could not be solved.
 Warnings correction_failures(const std::string& run_directory,
                              const std::vector<IterationSummary>& history);
 

@@ -39,7 +39,7 @@ struct Portal {
 struct CellPiece {
   CellId cell;
   Piece piece;
-  bool unreachable = false;  ///< no light can reach it (clusters/unreachable_parts.hpp)
+  bool unreachable = false;  ///< estimated to receive no light (clusters/unreachable_parts.hpp)
 };
 
 class CellComplex {
@@ -59,13 +59,13 @@ class CellComplex {
               double tolerance_m);
 
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Number of rooms and of outside cells: all cells but the insides of solids.
+  /// Returns the number of rooms and of outside cells: all cells but the insides of solids.
   std::size_t open_cells() const;
   const std::vector<Portal>& portals() const { return portals_; }
   const std::vector<BspNode>& nodes() const { return nodes_; }
   double tolerance_m() const { return tolerance_m_; }
 
-  /// The room or outside that p lies in; none inside a solid and where no cell was kept.
+  /// Returns the room or outside that p lies in; none inside a solid and where no cell was kept.
   CellId locate(const Vec3& p) const;
   /// Cuts a piece at the cells' borders; a piece that lies in one cell is not cut. The complex must
   /// have nodes.
@@ -78,7 +78,8 @@ class CellComplex {
   double tolerance_m_ = 0.0;
 };
 
-/// The complex as it is kept in a run's directory (versioned, in this machine's byte order).
+/// Returns the complex as it is kept in a run's directory (versioned, in this machine's byte
+/// order).
 std::string to_bytes(const CellComplex& complex);
 /// Throws RunError where the bytes are not a complex of this version.
 CellComplex complex_from_bytes(std::string_view bytes);

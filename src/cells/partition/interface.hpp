@@ -22,7 +22,7 @@ struct LeafInterface {
   double framed_m2 = 0.0;         ///< open and framed like a door (cells/partition/apertures.hpp)
   std::vector<Polygon> openings;  ///< convex, disjoint; together they cover all that is open
 
-  /// The leaf on the other side of the face.
+  /// Returns the leaf on the other side of the face.
   std::uint32_t other_than(std::uint32_t leaf) const {
     return front_leaf == leaf ? back_leaf : front_leaf;
   }
@@ -30,8 +30,8 @@ struct LeafInterface {
 
 double total_area_m2(const std::vector<Polygon>& polygons);
 
-/// All interfaces with an area, ordered by cut. Openness is never underestimated by more than
-/// slivers thinner than `sliver_m`.
+/// Returns all interfaces with an area, ordered by cut. Openness is never underestimated by more
+/// than slivers thinner than `sliver_m`.
 std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m);
 
 }  // namespace enfilade

@@ -34,7 +34,8 @@ struct LeafGroup {
   bool has_evidence() const { return back + front > 0.0; }
   double boundary() const;
   double open_to(std::uint32_t other) const;
-  /// Area of the largest opening in one side of one plane, to all neighbours together, m2.
+  /// Returns the area of the largest opening in one side of one plane, to all neighbours together,
+  /// m2.
   double largest_opening() const;
 };
 
@@ -47,7 +48,7 @@ class LeafGraph {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(groups_.size()); }
   const LeafGroup& operator[](std::uint32_t i) const { return groups_[i]; }
-  /// The group that i has become part of.
+  /// Returns the group that i has become part of.
   std::uint32_t find(std::uint32_t i) const;
   bool alive(std::uint32_t i) const { return parent_[i] == i; }
   /// One of two groups becomes part of the other; the outside stays the outside. A solid that joins

@@ -40,8 +40,8 @@ class MergeCandidates {
   /// Thin groups between others: each goes to the group that it is more open to, to a room before
   /// the outside.
   std::vector<MergeCandidate> connectors();
-  /// Solids that have most of their boundary in one room (furniture), with that room. A wall or a
-  /// slab has at most half of its boundary on one side.
+  /// Returns the solids that have most of their boundary in one room (furniture), with that room. A
+  /// wall or a slab has at most half of its boundary on one side.
   std::vector<MergeCandidate> enclosed_solids();
   /// A group has changed: its candidates for a room, and those of its neighbours, are found anew.
   void mark_changed(std::uint32_t group) { stale_[group] = 1; }

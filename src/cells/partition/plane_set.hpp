@@ -20,8 +20,8 @@ struct PlaneSet {
 
 PlaneSet find_planes(std::span<const Piece> pieces, double tolerance_m);
 
-/// The orthonormal frame that most of the surface area is aligned to: a turned building gets a
-/// turned frame. The first axis is at right angles to most floors.
+/// Returns the orthonormal frame that most of the surface area is aligned to: a turned building
+/// gets a turned frame. The first axis is at right angles to most floors.
 Frame dominant_frame(std::span<const Piece> pieces);
 
 }  // namespace enfilade

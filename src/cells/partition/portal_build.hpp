@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// For every two cells and every plane between them, the convex hulls of openings that touch, that
-/// is, lie nearer than `joint_m`. Ordered by cells, then by plane.
+/// Returns, for every two cells and every plane between them, the convex hulls of openings that
+/// touch, that is, lie nearer than `joint_m`. Ordered by cells, then by plane.
 std::vector<Portal> build_portals(std::span<const LeafInterface> interfaces,
                                   std::span<const std::uint32_t> cell_of_leaf,
                                   std::span<const Plane> planes, double joint_m);

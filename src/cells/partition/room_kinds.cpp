@@ -16,7 +16,7 @@ double chord(const LeafGroup& g) {
 
 double volume(const LeafGroup& g) { return g.volume; }
 
-// Volume-weighted median over all groups but solids of their chord or their volume.
+// Returns the volume-weighted median of the chord or the volume of the groups that are not solid.
 double typical(const LeafGraph& graph, double (*measure)(const LeafGroup&)) {
   std::vector<std::pair<double, double>> by_measure;  // and volume
   double total = 0.0;

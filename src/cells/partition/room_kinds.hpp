@@ -17,10 +17,10 @@ struct RoomConfig {
   double door_share = 0.1;
 };
 
-/// By group: 1 for rooms and the outside, 0 for the insides of solids.
+/// Returns by group 1 for rooms and the outside, 0 for the insides of solids.
 std::vector<char> find_rooms(const LeafGraph& graph, const RoomConfig& config);
 
-/// Half of all volume that is no solid lies in groups of at least this volume, m3.
+/// Returns the volume-weighted median of the volumes of the groups that are not solid, m3.
 double typical_volume_m3(const LeafGraph& graph);
 
 }  // namespace enfilade

@@ -23,7 +23,7 @@ namespace enfilade {
 /// Merging and hulls only ever add to the pairs that are taken to see each other, so every
 /// threshold is safe. One room, or a scene without walls, is one cell.
 CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config);
-/// The same, and the leaks of the cells: for each cell the largest of each kind, in the order of
+/// Builds the cells, and finds their leaks: for each cell the largest of each kind, in the order of
 /// the cells' numbers.
 CellComplex build_cells(std::span<const Piece> pieces, const CellComplex::Config& config,
                         std::vector<Leak>& leaks);

@@ -74,7 +74,8 @@ class StepFinder {
   }
 
  private:
-  /// Low upright pieces by plane; the plane with the longest risers first.
+  /// Low vertical pieces (risers), grouped by plane; the plane with the greatest total riser length
+  /// first.
   std::vector<std::pair<std::uint32_t, std::vector<Riser>>> risers_by_plane() const {
     std::map<std::uint32_t, std::vector<Riser>> by_plane;
     for (std::uint32_t i = 0; i < space_.pieces.size(); ++i) {

@@ -29,19 +29,20 @@ class LeafCutter {
  public:
   explicit LeafCutter(CutSpace& space);
 
-  /// The leaf that p lies in.
+  /// Returns the leaf that p lies in.
   std::uint32_t leaf_at(const Vec3& p) const;
-  /// The leaves of one group, in the order of their numbers.
+  /// Returns the leaves of one group, in the order of their numbers.
   const std::vector<std::uint32_t>& leaves_of(std::uint32_t group) const {
     return leaves_of_group_[group];
   }
   /// Puts a leaf into another group.
   void assign(std::uint32_t leaf, std::uint32_t group);
-  /// Indices of the interfaces that a leaf has.
+  /// Returns the indices of the interfaces that a leaf has.
   const std::vector<std::uint32_t>& interfaces_of(std::uint32_t leaf) const {
     return by_leaf_[leaf];
   }
-  /// The number of a plane in the plane set; a plane that no piece lies in is added to the set.
+  /// Returns the number of a plane in the plane set; a plane that no piece lies in is added to the
+  /// set.
   std::uint32_t number_of(const Plane& plane);
   /// Two leaves, of the same group; the same leaf twice where it is not cut.
   struct Split {
@@ -50,7 +51,7 @@ class LeafCutter {
   };
   /// Cuts the leaf where the plane runs through it by more than the tolerance.
   Split cut(std::uint32_t leaf, std::uint32_t plane);
-  /// A new group of the kind of `like`.
+  /// Adds a group of the kind of `like`, and returns its number.
   std::uint32_t new_group(std::uint32_t like);
 
  private:

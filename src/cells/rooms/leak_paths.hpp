@@ -9,7 +9,7 @@
 
 namespace enfilade {
 
-/// Mean of a region's vertices, each counted once a facet.
+/// Returns the mean of a region's vertices, each counted once per facet.
 Vec3 middle_of(const Region& region);
 
 /// Keeps references to the cut leaves; `touches_border` tells the leaves at the scene's border.

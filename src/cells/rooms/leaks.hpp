@@ -37,8 +37,8 @@ struct LeakConfig {
   double border_front_share = 0.7, border_room_share = 0.25;
 };
 
-/// The leaks of the groups, whose numbers stand for cells: by group, the largest of each kind; then
-/// the lost rooms. `portals` join the groups, `border` is the scene's enlarged box,
+/// Returns the leaks of the groups, whose numbers stand for cells: by group, the largest of each
+/// kind; then the lost rooms. `portals` join the groups, `border` is the scene's enlarged box,
 /// `touches_border[leaf]` says whether the leaf reaches it, `lost` are leaves of rooms that became
 /// outside.
 std::vector<Leak> find_leaks(const CutSpace& space, const LeafCutter& cutter,

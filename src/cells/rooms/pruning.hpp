@@ -10,9 +10,9 @@
 
 namespace enfilade {
 
-/// The nodes of the tree with cells in place of leaves: cell_of_leaf[leaf], CellId::none_value for
-/// none. Subtrees that lie in one cell become leaves. Root first, a node's front subtree before its
-/// back subtree.
+/// Returns the nodes of the tree with cells in place of leaves: cell_of_leaf[leaf],
+/// CellId::none_value for none. Subtrees that lie in one cell become leaves. Root first, a node's
+/// front subtree before its back subtree.
 std::vector<BspNode> nodes_with_cells(const BspTree& tree,
                                       std::span<const std::uint32_t> cell_of_leaf);
 

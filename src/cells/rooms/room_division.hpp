@@ -26,7 +26,7 @@ struct StandingAxes {
 };
 StandingAxes standing_axes(const Vec3& n, const Vec3& up);
 
-/// The section of a group's leaves by plane number `plane`, in its connected components.
+/// Returns the section of a group's leaves by plane number `plane`, in its connected components.
 std::vector<std::vector<SectionPart>> sections(const CutSpace& space, const LeafCutter& cutter,
                                                const std::vector<std::uint32_t>& leaves,
                                                std::uint32_t plane);

@@ -28,12 +28,12 @@ struct Bitmap {
   void fill(int x, int y, int w, int h, Rgb8 colour);
 };
 
-/// The bytes of a PNG file; `text` goes into it as its "Description".
+/// Returns the bytes of a PNG file; `text` goes into it as its "Description".
 std::string encode_png(const Bitmap& bitmap, const std::string& text = {});
 
 /// Draws one line of text with its upper left corner at (x, y), `scale` times 8 pixels high.
 void draw_text(Bitmap& bitmap, int x, int y, const std::string& text, Rgb8 colour, int scale = 1);
-/// Width in pixels of what draw_text would draw.
+/// Returns the width in pixels of what draw_text would draw.
 int text_width(const std::string& text, int scale = 1);
 
 }  // namespace enfilade

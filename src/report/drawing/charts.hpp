@@ -23,11 +23,11 @@ struct Layer {
   std::vector<double> values;  ///< a value a bar
 };
 
-/// Level bars, one a label, of stacked layers.
+/// Returns horizontal bars, one per label, of stacked layers.
 std::string stacked_bars(const std::vector<std::string>& labels, const std::vector<Layer>& layers,
                          const std::string& unit);
 
-/// The text with &, <, >, " and ' escaped for HTML and SVG.
+/// Returns the text with &, <, >, " and ' escaped for HTML and SVG.
 std::string escaped(const std::string& text);
 
 }  // namespace enfilade

@@ -52,13 +52,13 @@ struct Drawing {
   std::vector<Words> words;  ///< pixels
 };
 
-/// SVG 1.1 with the map's coordinates in metres and a <title> for each shape with a tip.
+/// Returns SVG 1.1 with the map's coordinates in metres and a <title> for each shape with a tip.
 std::string to_svg(const Drawing& drawing);
-/// SVG as an element of an HTML page, which needs no name space.
+/// Returns SVG as an element of an HTML page, which needs no name space.
 std::string to_inline_svg(const Drawing& drawing);
-/// The drawing as pixels, anti-aliased, on white.
+/// Returns the drawing as pixels, anti-aliased, on white.
 Bitmap to_bitmap(const Drawing& drawing);
-/// Width of words in pixels: the larger of their widths in SVG and in a bitmap.
+/// Returns the width of words in pixels: the larger of their widths in SVG and in a bitmap.
 double width_px(const Words& words);
 
 /// "#rrggbb".

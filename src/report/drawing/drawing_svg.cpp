@@ -15,7 +15,7 @@ double rounded(double v) { return std::round(v * 1e4) / 1e4 + 0.0; }
 
 class SvgText {
  public:
-  /// `scale`: pixels a unit, so that strokes have their width.
+  /// `scale`: pixels per drawing unit. Stroke widths are given in pixels and divided by it.
   void add(const Shape& shape, double scale) {
     add(R"(<path class="{}" fill="{}")", shape.kind, shape.fill ? css(*shape.fill) : "none");
     if (shape.stroke) {

@@ -23,7 +23,7 @@ struct Figure {
 struct RunPage {
   std::string name;
   RunRecord stats;
-  std::vector<RunRecord> history;  ///< one an iteration
+  std::vector<RunRecord> history;  ///< one per iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
@@ -33,8 +33,8 @@ struct RunPage {
 /// Reads RUN's stats.json, history.json, warnings.json and scene.json (its licence); no pictures
 /// yet. Throws InputError where RUN has no stats.json.
 RunPage read_run_page(const std::string& run_directory);
-/// Plans of each storey's cells and, where there are several ranks, of the assignment. `owner` may
-/// be empty.
+/// Returns plans of each storey's cells and, where there are several ranks, of the assignment.
+/// `owner` may be empty.
 std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner);
 /// Renders the pictures (tone-mapped; the first from within and the first cut-away also in false
 /// colour) and draws the plans.
@@ -42,7 +42,7 @@ void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Came
                   std::span<const Rank> owner, const RenderConfig& config,
                   const Progress& progress = {});
 
-/// The page. With several runs a table that compares them comes first.
+/// Returns the page. With several runs a table that compares them comes first.
 std::string report_html(std::span<const RunPage> runs);
 
 }  // namespace enfilade

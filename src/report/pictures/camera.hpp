@@ -26,8 +26,8 @@ struct AutoCameraConfig {
   double aspect = 16.0 / 9.0;  ///< width over height of the pictures, for cut-aways to fit
 };
 
-/// Views from within the largest lit rooms, at eye height, along the longest view, each in another
-/// room, "room-1", "room-2"...; then the cut-aways "storey-1", "storey-2"... Deterministic.
+/// Returns views from within the largest lit rooms, at eye height, along the longest view, each in
+/// another room, "room-1", "room-2"...; then the cut-aways "storey-1", "storey-2"... Deterministic.
 std::vector<Camera> automatic_cameras(const SolvedScene& solved,
                                       const AutoCameraConfig& config = {});
 

@@ -18,7 +18,7 @@ struct FalseColourConfig {
 Bitmap false_coloured(const LightImage& image, const std::string& unit,
                       const FalseColourConfig& config = {});
 
-/// Colour of t in [0, 1], dark blue over green and yellow to dark red.
+/// Returns the colour of t in [0, 1], dark blue over green and yellow to dark red.
 Rgb8 scale_colour(double t);
 
 }  // namespace enfilade

@@ -30,7 +30,7 @@ class ToneMap {
   double exposure_ = 1.0, white_ = 1.0;
 };
 
-/// Rec. 709 luminance.
+/// Returns the Rec. 709 luminance.
 double luminance(const std::array<double, 3>& rgb);
 /// sRGB transfer curve, 0..1 to 0..255.
 std::uint8_t srgb8(double linear);

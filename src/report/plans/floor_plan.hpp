@@ -22,10 +22,10 @@ struct FloorPlanConfig {
   double cut_m = 1.2;  ///< above the storey's floor; never above 45% of its height
 };
 
-/// One storey, as the subject colours it; `storeys` are all, `number` counts from 1.
+/// Returns one storey, as the subject colours it; `storeys` are all, `number` counts from 1.
 FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
                      const PlanSubject& subject, const FloorPlanConfig& config = {});
-/// All storeys, lowest first.
+/// Returns all storeys, lowest first.
 std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
                                    const FloorPlanConfig& config = {});
 

@@ -16,8 +16,8 @@ struct CellSection {
   double area_m2 = 0.0;
 };
 
-/// The plane at height z_m, over the box's ground, cut by the cells' partition: exact, and together
-/// all of it. By cell; where no cell was kept comes last.
+/// Returns the plane at height z_m, over the box's ground, cut by the cells' partition: exact, and
+/// together all of it. By cell; where no cell was kept comes last.
 std::vector<CellSection> level_section(const CellComplex& complex, const Box& box, double z_m);
 
 /// Where a convex polygon that is not level crosses height z_m.

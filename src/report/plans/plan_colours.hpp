@@ -9,13 +9,13 @@
 
 namespace enfilade {
 
-/// A strong colour for a rank; neighbouring ranks get clearly different ones.
+/// Returns a strong colour for a rank; neighbouring ranks get clearly different ones.
 Rgb8 rank_rgb(int rank);
 /// rank_rgb() as CSS, "#rrggbb".
 std::string rank_colour(int rank);
 
-/// A light colour for each cell, on which black words can be read. Rooms that share a portal have
-/// different colours; outside and solids have fixed ones.
+/// Returns a light colour for each cell, on which black words can be read. Rooms that share a
+/// portal have different colours; outside and solids have fixed ones.
 std::vector<Rgb8> cell_colours(const CellComplex& complex);
 
 /// `share` of `colour`, the rest white.

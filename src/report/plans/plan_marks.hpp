@@ -32,7 +32,8 @@ struct PortalMark {
   PortalView view = PortalView::cut;
   std::vector<Path> lines;  ///< metres
 };
-/// The marks of the portals of the storey that `cut` names. Hatches and dashes are `step_m` apart.
+/// Returns the marks of the portals of the storey that `cut` names. Hatches and dashes are `step_m`
+/// apart.
 std::vector<PortalMark> portal_marks(const CellComplex& complex, const PlanCut& cut, double step_m);
 
 struct ClusterMark {
@@ -40,7 +41,7 @@ struct ClusterMark {
   bool below = false;       ///< stands on the floor and ends below the cut: rings of its footprint
   std::vector<Path> paths;  ///< lines where its surfaces are cut, or rings
 };
-/// The marks of the clusters that the cut meets or that stand below it in the storey.
+/// Returns the marks of the clusters that the cut meets or that stand below it in the storey.
 std::vector<ClusterMark> cluster_marks(std::span<const Cluster> clusters, const PlanCut& cut);
 
 }  // namespace enfilade

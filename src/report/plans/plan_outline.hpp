@@ -8,8 +8,8 @@
 
 namespace enfilade {
 
-/// Rings (outlines and holes) of the union of the polygons seen from above. Upright polygons add
-/// nothing.
+/// Returns rings (outlines and holes) of the union of the polygons seen from above. Upright
+/// polygons add nothing.
 std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons);
 
 /// A circle within the polygons.
@@ -17,8 +17,8 @@ struct InnerCircle {
   Vec2 centre{0.0};
   double radius_m = 0.0;
 };
-/// The largest circle in the union of the polygons, to 1% of its size; radius 0 where there is
-/// none.
+/// Returns the largest circle in the union of the polygons, to 1% of its size; radius 0 where there
+/// is none.
 InnerCircle largest_circle(std::span<const Polygon> polygons);
 
 }  // namespace enfilade

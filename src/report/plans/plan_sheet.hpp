@@ -15,8 +15,8 @@ struct PlanContents {
   bool furniture = false;
 };
 
-/// A drawing with a frame for `ground` (metres, x and y), a margin around it included, its title,
-/// subtitle, legend and scale bar.
+/// Makes a drawing with a frame for `ground` (metres, x and y), a margin around it included, its
+/// title, subtitle, legend and scale bar.
 Drawing plan_sheet(const Box& ground, const std::string& title, const PlanSubject& subject,
                    const PlanContents& contents);
 

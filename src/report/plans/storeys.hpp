@@ -12,10 +12,12 @@ struct Storey {
   double headroom_m = 0.0;  ///< from there to the ceiling, median over the floor's area
 };
 
-/// At least one storey, lowest first: the heights where much upward area with headroom lies.
+/// Returns at least one storey, lowest first: the heights where much upward area with headroom
+/// lies.
 std::vector<Storey> storeys(const Building& building);
 
-/// Box around the surfaces that face rooms; around all surfaces where no cell is a room.
+/// Returns the box around the surfaces that face rooms; around all surfaces where no cell is a
+/// room.
 Box room_bounds(const Building& building);
 
 }  // namespace enfilade

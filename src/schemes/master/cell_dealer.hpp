@@ -18,15 +18,12 @@ namespace enfilade {
 ///
 /// Differences from §2.2, and decisions that it leaves open:
 /// - [8] shoots the energy of a cell's patches; here a cell's clusters gather, with the kernels of
-/// all
-///   schemes, and the smallest task is one cluster.
-/// - The travelling salesman's costs are those of OVG between cells: bytes of the clusters seen
-/// from
-///   one cell and not from the other.
-/// - A cell's unshot energy is the light that waits for its clusters (tour/unshot_energy.hpp).
-/// - The master keeps the tasks that are not begun, so that a slave steals by a request to the
-/// master,
-///   which refuses under --no-steal.
+///   all schemes, and the smallest task is one cluster.
+/// - The travelling salesman's costs are those of OVG between cells: the bytes of the clusters that
+///   are visible from one cell and not from the other.
+/// - A cell's unshot energy is the unshot energy visible to its clusters (tour/unshot_energy.hpp).
+/// - The master keeps the tasks that have not begun, so that a slave steals by a request to the
+///   master, which refuses under --no-steal.
 /// - The next cell begins when this one is done, with the newest light.
 class CellDealer final : public Dealer {
  public:
@@ -42,7 +39,7 @@ class CellDealer final : public Dealer {
   using Clusters = std::vector<ClusterId>;
   struct Slave {
     std::deque<ClusterId> tasks;  ///< of the current cell
-    std::size_t notified = 0;     ///< so many of gathered_ were in its orders
+    std::size_t notified = 0;     ///< number of gathered_ that its orders have listed
     bool holds_cell = false;      ///< has been sent the current cell's CV-set
   };
   /// Deals the next cell; returns false where all have had their turn.

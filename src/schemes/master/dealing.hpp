@@ -49,7 +49,7 @@ class Master {
   std::map<Rank, Token> tokens_;
 };
 
-/// A slave's side. Returns the plan that ended the run.
+/// Runs a slave's iterations. Returns the plan that ended the run.
 IterationPlan run_slave(ClusterWork& work, RemoteFiles& files, Communicator& communicator,
                         Machine& machine, bool coarse_correction, IterationPlan plan,
                         std::vector<double> changes);

@@ -17,12 +17,11 @@ namespace enfilade {
 /// - Groups: four for each slave, grown greedily (assignment/greedy_groups.hpp); --order arranges a
 ///   group.
 /// - Balance: a slave gets the groups that it had in the last iteration, whose clusters may still
-/// be
-///   in its memory, the heaviest first; then one that no slave has had; then the lightest group of
-///   the slave with most work waiting. --no-steal: a group stays with its first slave.
+///   be in its memory, the heaviest first; then one that no slave has had; then the lightest group
+///   of the slave with most work waiting. --no-steal: a group stays with its first slave.
 /// - A slave holds the clusters that one receiver sees at a time, requested in one message.
-/// - Within a group the newest light is gathered, of other groups that of the last iteration: the
-///   iteration of §8.
+/// - Gathers take the newest light of their own group, and of other groups the light of the last
+///   iteration: the group iteration of §8.
 class GroupDealer final : public Dealer {
  public:
   GroupDealer(const Prepared& prepared, int slaves, const Order& order, const VisibilityCost& cost,
@@ -35,12 +34,12 @@ class GroupDealer final : public Dealer {
  private:
   struct Group {
     std::vector<ClusterId> clusters;
-    Rank slave;  ///< that had it last; rank 0, the master, stands for none
+    Rank slave;  ///< the slave that had it last; rank 0, the master: none
     bool waiting = false;
   };
   double work_of(const Group& group) const;
   Group* choose(Rank slave);
-  /// The heaviest (or lightest) waiting group of a slave; none where it has none.
+  /// Returns the heaviest (or lightest) waiting group of a slave; null where it has none.
   Group* waiting_of(Rank slave, bool heaviest);
 
   WorkEstimate work_;

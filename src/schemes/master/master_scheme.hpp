@@ -12,8 +12,8 @@ namespace enfilade {
 
 class MasterScheme final : public ParallelScheme {
  public:
-  /// `make_dealer` makes what decides who gets which clusters, on the master, once the iterations
-  /// begin. `store`, `communicator` and `machine` must outlive the scheme.
+  /// `make_dealer` makes the dealer, on the master, once the iterations begin. `store`,
+  /// `communicator` and `machine` must outlive the scheme.
   MasterScheme(ClusterStore& store, std::function<std::unique_ptr<Dealer>()> make_dealer,
                Communicator& communicator, Machine& machine, bool coarse_correction)
       : store_(store),

@@ -18,17 +18,18 @@ class RemoteFiles final : public ClusterFiles {
   RemoteFiles(Communicator& communicator, Machine& machine)
       : communicator_(communicator), machine_(machine) {}
 
-  /// Other slaves have gathered for these clusters in this iteration: their newest light is read.
+  /// Records that other slaves have gathered for these clusters in this iteration: their newest
+  /// light is read.
   void know_gathered(std::span<const ClusterId> clusters) {
     written_.insert(clusters.begin(), clusters.end());
   }
 
   void set_committed(int iteration) override { committed_ = iteration; }
   int committed() const override { return committed_; }
-  /// Fetches them in one message; each is kept until it is read, once.
+  /// Fetches the sections in one message; each is kept until it is read, once.
   void prefetch(std::vector<SectionName> names) override;
   SectionFile load_section(const SectionName& name) override;
-  /// Sends them to the master.
+  /// Sends the sections to the master.
   void store_sections(std::vector<SectionFile> sections) override;
   bool written(ClusterId id) const override { return written_.contains(id); }
   /// The master moves the files; fetched sections are out of date.

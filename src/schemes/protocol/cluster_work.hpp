@@ -1,4 +1,4 @@
-// The work that a parallel scheme shares out among the ranks: gathers for clusters, and their
+// The work that a parallel scheme distributes over the ranks: gathers for clusters, and their
 // files. RadiosityWork computes; ReplayWork charges recorded gathers.
 #pragma once
 
@@ -23,33 +23,33 @@ class ClusterWork {
   /// Brings all that these receivers see into memory at once, and keeps it until the next call.
   /// Never necessary before a gather; saves messages where the clusters come by messages.
   virtual void hold(std::span<const ClusterId>) {}
-  /// The clusters in this rank's memory; a thief sends them in its steal request.
+  /// Returns the clusters in this rank's memory; a thief sends them in its steal request.
   virtual std::vector<ClusterId> resident() const = 0;
   /// MoveToCommonDirectory(S) of figure 2.
   virtual void move_to_common() = 0;
-  /// This rank's part of the iteration's coarse system, as numbers.
+  /// Returns this rank's part of the iteration's coarse system, as numbers.
   virtual std::vector<double> coarse() const { return {}; }
-  /// The sum of two parts.
+  /// Returns the sum of two parts of the coarse system.
   virtual std::vector<double> merge(std::span<const double> a, std::span<const double>) const {
     return {a.begin(), a.end()};
   }
-  /// The solution of the whole system.
+  /// Solves the whole coarse system.
   virtual Correction correct(std::span<const double>) const { return {}; }
   /// On rank 0, once every rank has moved its files: makes the last of `history` the committed
   /// iteration.
   virtual void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
                       bool finished) = 0;
 
-  /// `listener` answers the ranks that wait for this one. It is called during a gather as well,
-  /// since one large gather on a slow host would otherwise delay every rank that has run out of
-  /// work.
+  /// Sets the function that answers the messages of other ranks. It is called during a gather as
+  /// well, since one large gather on a slow host would otherwise delay every rank that has run out
+  /// of work.
   void set_listener(std::function<void()> listener) { listener_ = std::move(listener); }
 
  protected:
   void listen() const {
     if (listener_) listener_();
   }
-  /// Charges a gather's work, and listens in between.
+  /// Charges a gather's work to the machine; polls in between.
   void spend(Machine& machine, const WorkCount& work) const {
     if (listener_) {
       machine.compute_in_parts(work, listener_);

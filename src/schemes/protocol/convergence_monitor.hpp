@@ -35,7 +35,7 @@ class ConvergenceMonitor {
   double start_s_;
 };
 
-/// A rank's own numbers of an iteration.
+/// Returns a rank's own numbers of an iteration.
 Token own_token(const ClusterWork& work, const IterationFigures& figures, bool coarse_correction);
 /// Folds another rank's numbers into a token.
 void add_token(const ClusterWork& work, Token& token, const Token& own, bool coarse_correction);

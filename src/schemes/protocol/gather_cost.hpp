@@ -15,8 +15,8 @@ namespace enfilade {
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
-  IterationFigures figures;      ///< of this gather; its work among them
-  SectionWeight patches, links;  ///< as it left them
+  IterationFigures figures;      ///< of this gather, with its work
+  SectionWeight patches, links;  ///< after the gather
   bool links_changed = false;    ///< only then were links written
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
@@ -31,7 +31,7 @@ struct Recording {
   IterationMethod method;
   Basis basis = Basis::linear;
 
-  /// The size of a cluster's sections after iteration `iteration`; 0 = at the start.
+  /// Returns the size of a cluster's sections after iteration `iteration`; 0 = at the start.
   ClusterWeight weight(ClusterId cluster, int iteration) const;
 };
 
@@ -58,7 +58,8 @@ class CostRecorder {
 
 /// On one rank, before a run begins: removes the recordings of iterations after `committed`.
 void drop_costs(const std::string& run_directory, int committed);
-/// Throws InputError where RUN holds no finished run with the costs of all its gathers.
+/// Reads the recording of a run. Throws InputError where RUN holds no finished run with the costs
+/// of all its gathers.
 Recording read_recording(const std::string& run_directory, std::size_t clusters);
 
 }  // namespace enfilade

@@ -16,12 +16,12 @@
 namespace enfilade {
 
 /// Thief to victim: the thief is out of work in this iteration, and holds these clusters in its
-/// memory (§3.3.3, figure 4). Cluster numbers are sent as bits, 64 neighbouring numbers a word: a
+/// memory (§3.3.3, figure 4). Cluster numbers are sent as bits, 64 neighbouring numbers per word: a
 /// message of two kilobytes where a building of 13,000 clusters is in memory.
 struct StealRequest {
   int iteration = 0;                ///< a victim that has not begun it yet answers when it does
   std::vector<ClusterId> resident;  ///< ascending
-  RankSet idle;  ///< ranks known to the thief to have nothing left to give in this iteration
+  RankSet idle;  ///< ranks known to the thief to have no cluster left to give in this iteration
 };
 
 /// Victim to thief: the cluster that belongs to the thief from now on, or none.
@@ -37,15 +37,17 @@ struct StealReply {
 struct Token {
   std::vector<double> maxima;
   std::vector<double> sums;
-  std::vector<double> coarse;  ///< of the coarse system, added by ClusterWork::merge()
+  std::vector<double>
+      coarse;  ///< the ranks' parts of the coarse system, added by ClusterWork::merge()
 };
 
-/// Second tour of the ring, from rank 0 on: `value` is T_final where another iteration follows, -1
-/// where the run ends; `plan` is the IterationPlan of that iteration, as numbers.
+/// Second tour of the ring, from rank 0 on. `value`: the paper's T_final (max change), or -1 to
+/// stop. `plan`: the IterationPlan of the next iteration, as numbers.
 struct Decision {
   double value = -1.0;
   std::vector<double> plan;
-  std::vector<double> correction;  ///< Correction::changes of cluster_work.hpp; may be empty
+  std::vector<double>
+      correction;  ///< Correction::changes of solver/iteration_end.hpp; may be empty
 };
 
 /// The messages below are those of the schemes with a master, rank 0 (schemes/master/dealing.hpp).
@@ -55,7 +57,7 @@ struct Decision {
 struct GatherNote {
   ClusterId cluster;
   double change_power = 0.0;  ///< sum of area |B(k) - B(k-1)|
-  std::uint64_t links = 0;    ///< that it gathered over: a measure of its work
+  std::uint64_t links = 0;    ///< links gathered over: a measure of its work
 };
 
 /// Slave to master: the slave is out of work, and reports the gathers of its last order.
@@ -108,8 +110,10 @@ enum class Tag : int {
 };
 Tag tag_of(const Message& message);
 
+/// Returns the message as bytes.
 std::vector<std::byte> encode(const Message& message);
-/// Throws RunError for bytes that are not one message of this tag.
+/// Returns the message of these bytes. Throws RunError for bytes that are not one message of this
+/// tag.
 Message decode(Tag tag, std::span<const std::byte> bytes);
 
 /// Folds `own` into `token`: maxima by maximum, sums by addition; a shorter list counts as filled

@@ -1,5 +1,5 @@
-// A parallel scheme: how the ranks share the work of the iterations, and how a rank comes by the
-// clusters' files. schemes/solve/make_scheme.hpp chooses one.
+// A parallel scheme: how the ranks share the work of the iterations, and how a rank reads and
+// writes the clusters' files. schemes/solve/make_scheme.hpp chooses one.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace enfilade {
 
-/// One rank's part in it, made on every rank.
+/// One rank's object of a scheme, made on every rank.
 class ParallelScheme {
  public:
   virtual ~ParallelScheme() = default;
-  /// By which this rank reads and writes clusters; for its RadiosityWork.
+  /// Returns the files through which this rank reads and writes clusters; its RadiosityWork uses
+  /// them.
   virtual ClusterFiles& files() = 0;
-  /// This rank gathers for the clusters that it is assigned (until some are stolen), so that it
-  /// keeps them in memory when it makes them before the first iteration.
+  /// True where this rank gathers for the clusters that it is assigned (until some are stolen), so
+  /// that it keeps them in memory when it makes them before the first iteration.
   virtual bool gathers_for_its_own() const = 0;
   /// Runs iterations from `plan` on until one is the last; all ranks call it. `changes` corrects
   /// the light of the committed iteration (a resumed run; else empty). `history` holds the

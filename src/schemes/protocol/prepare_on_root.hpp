@@ -8,9 +8,8 @@
 
 namespace enfilade {
 
-/// Rank 0 does what prepare_or_load() of run/prepare.hpp does; then every rank has the result, the
-/// others from RUN. All ranks call it. `warnings` become those of the scene, whenever it was
-/// prepared.
+/// Calls prepare_or_load() of run/prepare.hpp on rank 0; the other ranks then load the result from
+/// RUN. All ranks call it. `warnings` become those of the scene, whenever it was prepared.
 Prepared prepare_on_root(Communicator& communicator, const SceneSource& read,
                          const std::string& run_directory, const PrepareConfig& config,
                          Warnings& warnings, const Progress& progress = {}, bool resume = false);

@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// All ranks call it, after Machine::trace(). By rank, on rank 0, in bins of one width; elsewhere
-/// empty.
+/// All ranks call it, after Machine::trace(). Returns the profiles by rank on rank 0, in bins of
+/// one width; elsewhere an empty list.
 std::vector<RankProfile> gather_profiles(Communicator& communicator, const Machine& machine);
 
 }  // namespace enfilade

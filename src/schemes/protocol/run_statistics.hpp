@@ -15,13 +15,14 @@ namespace enfilade {
 /// One rank's counts of a solve.
 struct RankStatistics {
   TimeUse time;
-  double span_s = 0.0;  ///< by Machine::now_s(), from the begin of the first iteration to the end
+  double span_s = 0.0;  ///< by Machine::now_s(), from the start of the first iteration to the end
   StoreCount store;
   ResidencyCount residency;
   MessageCount sent;
 };
 
-/// All ranks call it. On rank 0: the record, without wall_s and solve_s; elsewhere it is empty.
+/// All ranks call it. Returns the record on rank 0, without wall_s and solve_s; elsewhere an empty
+/// one.
 RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectrum& emitted,
                             const std::vector<IterationSummary>& history, const IterationPlan& last,
                             const RankStatistics& own, Communicator& communicator,

@@ -1,5 +1,5 @@
-// The clusters of a recorded run, iteration by iteration: only how much they hold, but charged as
-// files are.
+// The clusters of a recorded run, iteration by iteration: only their sizes, charged as files of
+// these sizes would be.
 #pragma once
 
 #include "schemes/protocol/gather_cost.hpp"
@@ -17,7 +17,7 @@ class RecordedClusters final : public ClusterSource<RecordedCluster> {
 
   void set_committed(int iteration) override { committed_ = iteration; }
   int committed() const override { return committed_; }
-  /// Has this rank gathered for the cluster in this iteration?
+  /// True where this rank has gathered for the cluster in this iteration.
   bool written(ClusterId id) const override { return charges_.written(id); }
   std::unique_ptr<RecordedCluster> read_shooter(ClusterId id, Light light,
                                                 const RecordedCluster* known) override;

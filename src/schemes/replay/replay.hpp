@@ -7,7 +7,7 @@
 namespace enfilade {
 
 /// All ranks call it. Throws InputError on a real machine, where recorded work takes no time, and
-/// where `recorded` is no RUN that was solved to its end. Of `config`, the options that share out
+/// where `recorded` is no RUN that was solved to its end. Of `config`, the options that distribute
 /// the work count (assignment, order, stealing, memory, seed); options that the light depends on do
 /// not. The iterations, their plans and their work are those of the recorded run: the replay is
 /// exact if the iterations would be the same, which the coarse correction ensures for any number of

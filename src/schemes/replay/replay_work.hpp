@@ -41,7 +41,7 @@ class ReplayWork final : public ClusterWork {
   void move_to_common() override { clusters_.move_to_common(); }
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
-  /// A correction of the recorded size and figures, without effect on patches.
+  /// Returns a correction of the recorded size and figures, without effect on patches.
   Correction correct(std::span<const double> coarse) const override;
   void commit(const std::vector<IterationSummary>& history, std::span<const double> changes,
               bool finished) override;

@@ -11,19 +11,19 @@
 
 namespace enfilade {
 
-/// What a scheme is made of. All must outlive it.
+/// The parts of a scheme. All must outlive it.
 struct SchemeParts {
   const SolveConfig& config;
   const Prepared& prepared;
   const std::vector<ClusterId>& own;  ///< clusters that this rank is assigned
-  const VisibilityCost& cost;         ///< of OVG's arcs
+  const VisibilityCost& cost;         ///< OVG's edge costs
   ClusterStore& store;
   Communicator& communicator;
   Machine& machine;
 };
 
-/// This rank's part in config.scheme. One rank alone runs the paper's scheme, since a master needs
-/// slaves.
+/// Makes this rank's object of config.scheme. One rank alone runs the paper's scheme, since a
+/// master needs slaves.
 std::unique_ptr<ParallelScheme> make_scheme(const SchemeParts& parts);
 
 }  // namespace enfilade

@@ -13,16 +13,17 @@
 
 namespace enfilade {
 
-/// The rank that each cluster is assigned to: computed on rank 0, the same on every rank. All ranks
-/// call it.
+/// Returns the rank that each cluster is assigned to: computed on rank 0, the same on every rank.
+/// All ranks call it.
 std::vector<Rank> agree_on_owners(const Prepared& prepared, const SolveConfig& config,
                                   Communicator& communicator);
 std::vector<ClusterId> clusters_of(std::span<const Rank> owners, Rank rank);
 
-/// OVG's costs, by the size of the clusters before refinement; `memory_bytes` 0 = no limit.
+/// Returns OVG's edge costs, by the size of the clusters before refinement; `memory_bytes` 0 = no
+/// limit.
 VisibilityCost tour_cost(const Prepared& prepared, Basis basis, std::uint64_t memory_bytes);
 
-/// One object for all ranks where they share an address space, else one for each rank.
+/// Makes one object for all ranks where they share an address space, else one for each rank.
 /// All ranks call it. Where `make` throws on rank 0, all ranks throw as from
 /// Communicator::on_root().
 template <class T, class Make>
@@ -39,7 +40,8 @@ std::shared_ptr<const T> share(Communicator& communicator, Make make) {
   return object;
 }
 
-/// Emitted power of each cluster, in the band with the highest; point lights belong to no cluster.
+/// Returns the emitted power of each cluster, in the band with the highest; point lights belong to
+/// no cluster.
 std::vector<double> emitted_powers(const Prepared& prepared);
 
 /// The run that is about to start.
@@ -53,7 +55,8 @@ struct RankRun {
 /// Runs all iterations and appends to the history on rank 0. Returns the plan that ended the run.
 using IterationRun = std::function<IterationPlan(std::vector<IterationSummary>& history)>;
 
-/// All ranks call it. The record of RUN/stats.json, on rank 0; elsewhere empty.
+/// All ranks call it. Runs the iterations and returns the record of RUN/stats.json on rank 0,
+/// elsewhere an empty one.
 RunRecord run_ranks(RankRun run, Communicator& communicator, Machine& machine,
                     const IterationRun& iterate);
 

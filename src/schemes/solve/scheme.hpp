@@ -14,10 +14,10 @@ namespace enfilade {
 /// (master_scheme.hpp). All gather with the same kernels and count with the same counters.
 /// A new scheme is a subclass of ParallelScheme, a name here and a line in make_scheme.cpp.
 enum class Scheme { spmd, master_slave, replicated };
-/// spmd, master-slave, replicated: what users call them, in the enum's order.
+/// Returns the names on the command line, in the enum's order: spmd, master-slave, replicated.
 std::span<const char* const> scheme_names();
 const char* name_of(Scheme scheme);
-/// Throws InputError for a name that is none of these.
+/// Returns the scheme of this name. Throws InputError for a name that is none of these.
 Scheme scheme_of(const std::string& name);
 
 }  // namespace enfilade

@@ -35,14 +35,14 @@ struct SolveConfig : SolverConfig {
   bool resume = false;  ///< go on from the last committed iteration
 };
 
-/// All ranks call it with the same arguments; rank 0 calls `observer` after every committed
-/// iteration. Returns the record of RUN/stats.json on rank 0, elsewhere an empty one. RUN then
-/// holds the solution, which read_solution() of run/solution.hpp reads. Throws InputError where
-/// config.resume finds the solution of another scene.
+/// Runs the solve. All ranks call it with the same arguments; rank 0 calls `observer` after every
+/// committed iteration. Returns the record of RUN/stats.json on rank 0, elsewhere an empty one. RUN
+/// then holds the solution, which read_solution() of run/solution.hpp reads. Throws InputError
+/// where config.resume finds the solution of another scene.
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 
-/// owner[i] = the rank that cluster i is assigned to before the first iteration.
+/// Returns owner[i], the rank that cluster i is assigned to before the first iteration.
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
 
 }  // namespace enfilade

@@ -1,5 +1,5 @@
-// When a rank will use each cluster again, by its CYCLE: the memory evicts by Belady's rule (L.
-// Belady, 1966), the cluster first whose next use is farthest.
+// When a rank will use each cluster again, by its CYCLE: the cluster whose next use is farthest in
+// the future is evicted first (L. Belady, 1966).
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ class NextUses {
 
   /// Begins a round of these receivers, in this order.
   void start(std::span<const ClusterId> turns);
-  /// This receiver has been gathered for; its turn comes again in the next round.
+  /// Records that this receiver has been gathered for; its turn comes again in the next round.
   void done(ClusterId receiver);
-  /// This receiver belongs to another rank from now on.
+  /// Records that this receiver belongs to another rank from now on.
   void gave(ClusterId receiver);
-  /// Turns from now until a cluster (or its links) is used, into the next round if need be; a
-  /// cluster that this rank does not use comes after all others.
+  /// Returns the number of turns from now until a cluster (or its links) is used, in this round or
+  /// the next; a cluster that this rank does not use comes after all others.
   std::uint64_t of(ClusterId cluster, bool links);
 
  private:
@@ -38,7 +38,8 @@ class NextUses {
   std::vector<std::uint32_t> place_;  ///< of each cluster among the turns
   std::uint64_t past_ = 0;            ///< turns done
   // Made at the first call of of() in a round. The turns that use cluster c, ascending, are
-  // uses_[first_[c]] to uses_[first_[c + 1] - 1]; of these, the ones before next_[c] do not wait.
+  // uses_[first_[c]] to uses_[first_[c + 1] - 1]; entries before next_[c] are already done or given
+  // away.
   std::vector<std::uint32_t> uses_, first_, next_;
 };
 

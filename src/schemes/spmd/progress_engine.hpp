@@ -18,14 +18,15 @@ class ProgressEngine {
   ProgressEngine(Communicator& communicator, Machine& machine, TaskList& tasks)
       : communicator_(communicator), machine_(machine), tasks_(tasks) {}
 
-  /// This rank has begun the iteration: answers the requests of ranks that began it earlier.
+  /// Begins the iteration: answers the requests of ranks that began it earlier.
   void start(int iteration);
   /// Handles the messages that have arrived; called between two receiving clusters.
   void progress();
-  /// The same, between two shooters, unless the last poll was a moment ago: polling costs time.
+  /// Calls progress() unless the last poll was a moment ago, since polling costs time; called
+  /// between two shooters.
   void progress_if_due();
-  /// The ranks known to this one to have no cluster left to give in this iteration; they get no
-  /// more work in it.
+  /// Returns the ranks known to this one to have no cluster left to give in this iteration; they
+  /// get no more work in it.
   const RankSet& idle();
   /// WaitForReply of figure 5, for any kind of message: handles messages until one of kind T has
   /// arrived, and returns it.

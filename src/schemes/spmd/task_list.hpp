@@ -22,13 +22,13 @@ class TaskList {
   /// Begins an iteration at the start of CYCLE; clusters adopted in the last one are inserted where
   /// they cost least.
   void start();
-  /// The next receiving cluster; none when all have had their turn.
+  /// Returns the next receiving cluster; none when all have had their turn.
   std::optional<ClusterId> next();
   /// Gives a waiting cluster to a thief with these clusters in its memory: the one whose visible
   /// clusters cost the thief least to load, of equals the last in CYCLE, which is farthest from the
   /// cluster that this rank works on.
   std::optional<ClusterId> give(std::span<const ClusterId> resident);
-  /// S = S + C of figure 2: a stolen cluster is this rank's from now on.
+  /// Adds a stolen cluster, which belongs to this rank from now on: S = S + C of figure 2.
   void adopt(ClusterId cluster) { adopted_.push_back(cluster); }
   /// Reports a gather of this rank and the power by which it changed the receiver's light; some
   /// orders use it.
@@ -38,7 +38,8 @@ class TaskList {
 
   std::size_t waiting() const { return turns_.size() - done_; }
   const Cycle& cycle() const { return cycle_; }
-  /// Turns from now until a cluster (or its links) is used again (NextUses::of).
+  /// Returns the number of turns from now until a cluster (or its links) is used again
+  /// (NextUses::of).
   std::uint64_t next_use(ClusterId cluster, bool links) { return uses_.of(cluster, links); }
 
  private:
