@@ -32,12 +32,15 @@ def mark_of(file: Path, src: Path, common: bytes) -> str:
     return digest.hexdigest()
 
 
-def findings(file: Path, build: Path) -> str:
-    """What clang-tidy finds; warnings of the compiler's own are the build's affair."""
+def findings(file: Path, mark: Path, build: Path) -> str:
+    """What clang-tidy finds; where that is nothing, the file gets its mark."""
     run = subprocess.run(["clang-tidy", "-p", str(build), "--quiet", "--warnings-as-errors=*",
                           "--extra-arg=-Wno-unknown-warning-option", str(file)],
                          capture_output=True, text=True)
-    return "" if run.returncode == 0 else run.stdout + run.stderr
+    if run.returncode != 0:
+        return run.stdout + run.stderr
+    mark.touch()
+    return ""
 
 
 def main() -> int:
@@ -53,12 +56,10 @@ def main() -> int:
     todo = [(file, mark) for file, mark in todo if not mark.exists()]
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for (file, mark), found in zip(todo, pool.map(lambda item: findings(item[0], build), todo)):
+        for found in pool.map(lambda item: findings(*item, build), todo):
             if found:
                 failed += 1
-                print(found)
-            else:
-                mark.touch()
+                print(found, flush=True)
     print(f"clang-tidy: {len(files)} files, {len(todo)} looked at, {failed} with findings")
     return 1 if failed else 0
 
