@@ -7,6 +7,9 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
+# Objects that ccache keeps serve a checkout in any folder.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 started=$(date +%s)
 step() {
   printf '\n== %s (at %d s)\n' "$1" $(($(date +%s) - started))
