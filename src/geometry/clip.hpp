@@ -21,12 +21,14 @@ Point zero_crossing(const Point& a, double at_a, const Point& b, double at_b) {
 /// < 0, and before it `on_crossing(p)` where the edge that leads to it passes from one side to the
 /// other. Corners are points of the plane or of space. A corner belongs to one side only, without
 /// tolerance; `split` has one.
-template <class Corners, class Side, class OnCorner, class OnCrossing>
-void walk_cut(const Corners& corners, const Side& side, OnCorner&& on_corner,
+/// The corners are at(0) ... at(count - 1).
+template <class At, class Side, class OnCorner, class OnCrossing>
+void walk_cut(std::size_t count, const At& at, const Side& side, OnCorner&& on_corner,
               OnCrossing&& on_crossing) {
-  auto a = corners.back();
+  auto a = at(count - 1);
   double side_a = side(a);
-  for (const auto& b : corners) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto b = at(i);
     const double side_b = side(b);
     const bool is_below = side_b < 0.0;
     if ((side_a < 0.0) != is_below) on_crossing(zero_crossing(a, side_a, b, side_b));
@@ -34,6 +36,13 @@ void walk_cut(const Corners& corners, const Side& side, OnCorner&& on_corner,
     a = b;
     side_a = side_b;
   }
+}
+template <class Corners, class Side, class OnCorner, class OnCrossing>
+void walk_cut(const Corners& corners, const Side& side, OnCorner&& on_corner,
+              OnCrossing&& on_crossing) {
+  walk_cut(
+      corners.size(), [&corners](std::size_t i) { return corners[i]; }, side, on_corner,
+      on_crossing);
 }
 
 /// Cuts by a plane: first = the part in front, second = the part behind; either may be empty.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "geometry/clip.hpp"
 
@@ -38,7 +37,7 @@ double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> poly
     kept = v;
   };
   walk_cut(
-      polygon | std::views::transform([&](const Vec3& p) { return p - x; }),
+      polygon.size(), [&](std::size_t i) { return polygon[i] - x; },
       [&](const Vec3& v) { return -glm::dot(v, n); },
       [&](const Vec3& v, bool is_above_horizon) {
         if (is_above_horizon) visit(v);
