@@ -22,7 +22,8 @@ std::pair<PatchOutline, PatchOutline> cut(const PatchOutline& vertices, const Ve
     was_below = is_below;
   }
   std::pair<PatchOutline, PatchOutline> parts;
-  auto& [below, above] = parts;  // as large as they are: there are millions of patches
+  PatchOutline &below = parts.first, &above = parts.second;
+  // Exactly as large as they will be: there are millions of patches.
   below.reserve(size_below + crossings);
   above.reserve(vertices.size() - size_below + crossings);
   walk_cut(

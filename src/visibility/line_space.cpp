@@ -122,7 +122,9 @@ Polygon crossings(const std::vector<Vec3>& from, const std::vector<Vec3>& to, co
 bool drop_averted(LineSpace& lines, double flat_m) {
   LineSpaceSide &a = lines.a, &b = lines.b;
   for (int pass = 0; pass < 2; ++pass) {  // the first pass may make sides smaller
-    for (auto [side, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    for (const auto& sides : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+      LineSpaceSide* const side = sides.first;
+      const LineSpaceSide* const other = sides.second;
       const std::size_t before = side->parts.size();
       std::erase_if(side->parts, [&](const LineSpacePart& part) {
         return !any_in_front(other->box, part.plane(), flat_m) ||
