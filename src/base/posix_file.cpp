@@ -128,7 +128,7 @@ void flush_to_disk(const std::string& directory) {
 void make_directory(const std::string& path) {
   namespace fs = std::filesystem;
   // A rank that is done may take the empty parent away at any time: both steps are then repeated.
-  // No rank does so twice, so that a second is more than enough on the slowest of machines.
+  // No rank does so twice, so the tries end soon; a second bounds them.
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(1);
   const fs::path parent = fs::path(path).parent_path();
   std::error_code code;
