@@ -51,7 +51,7 @@ class Study:
         self.programs = arguments.build / "bin"
         self.directory = arguments.output
         self.common = PAPER + ["--target-error", str(arguments.target_error), "--basis", arguments.basis, "--no-pictures", "--max-iterations", "150",
-                               "--quiet"]
+                               "--hierarchy", "clusters", "--quiet"]
         self.simulated = ["smpirun", "-platform", ROOT / "platforms/office.xml",
                           "-hostfile", ROOT / "platforms/office-4.hosts", "-np", str(RANKS), self.programs / "enfilade-smpi"]
 
@@ -62,8 +62,8 @@ class Study:
 
     def solve(self, scene: Path, name: str, options: list) -> dict:
         prepared = self.directory / scene.stem / "prepared"
-        if not (prepared / "graph.txt").exists():
-            self.command(self.programs / "enfilade", "prepare", scene, "-o", prepared)
+        if not (prepared / "graph.bin").exists():
+            self.command(self.programs / "enfilade", "prepare", scene, "-o", prepared, "--hierarchy", "clusters")
         run = self.directory / scene.stem / name
         if not (run / "stats.json").exists():
             shutil.rmtree(run, ignore_errors=True)

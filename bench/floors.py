@@ -47,7 +47,8 @@ def measure(options, work, floors):
     subprocess.run([options.enfilade, "generate", "--preset", options.preset, "--floors", str(floors),
                     "--windows", options.windows, "-o", scene],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    process = subprocess.Popen([options.enfilade, "prepare", scene, "-o", run, "--no-pictures"], stdout=subprocess.PIPE,
+    process = subprocess.Popen([options.enfilade, "prepare", scene, "-o", run, "--no-pictures",
+                                "--hierarchy", "clusters"], stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL, text=True)
     table = dict(line.strip().rsplit("  ", 1) for line in process.stdout if "  " in line.strip())
     _, status, usage = os.wait4(process.pid, 0)

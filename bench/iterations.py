@@ -62,7 +62,7 @@ def iterations(options, scene, reflectance, ranks, words):
         subprocess.run(["smpirun", "-np", str(ranks), "-platform", os.path.join(platforms, "office.xml"), "-hostfile",
                         os.path.join(platforms, "office-4.hosts"), os.path.join(options.bin, "enfilade-smpi"), "solve",
                         path, "-o", os.path.join(folder, "run"), "--tolerance", options.tolerance,
-                        "--max-iterations", "5000", "--no-pictures", "--quiet", *words,
+                        "--max-iterations", "5000", "--no-pictures", "--quiet", "--hierarchy", "clusters", *words,
                         *(["--epsilon", options.epsilon] if options.epsilon else [])],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with open(os.path.join(folder, "run", "stats.json"), encoding="utf-8") as file:

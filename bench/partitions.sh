@@ -24,7 +24,7 @@ for building in "$@"; do
     runs+=("$building")
   else
     run=$build/partitions/$(basename "$building" .json)
-    "$build/bin/enfilade" prepare "$building" -o "$run"
+    "$build/bin/enfilade" prepare "$building" -o "$run" --hierarchy clusters
     runs+=("$run")
   fi
 done

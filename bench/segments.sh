@@ -21,7 +21,7 @@ status=0
 check() {
   echo "== $(basename "$1" .json)"
   run=$work/$(basename "$1" .json)
-  "$build/bin/enfilade" prepare "$1" -o "$run" --no-pictures 2> "$run.warnings" | grep -E 'cells|clusters|visible pairs|time to'
+  "$build/bin/enfilade" prepare "$1" -o "$run" --no-pictures --hierarchy clusters 2> "$run.warnings" | grep -E 'cells|clusters|visible pairs|time to'
   "$build/bin/segment_check" "$run" --segments "$segments" --a-pair 128 --most-a-pair 1024 || status=1
 }
 

@@ -18,6 +18,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COLUMNS = ("iterations converged estimated_error patches links rays steals steal_requests messages message_bytes "
            "bytes_read bytes_written peak_cluster_bytes over_budget_bytes simulated_s").split()
+# The paper links each pair of clusters that see each other.
+PAPER_HIERARCHY = ["--hierarchy", "clusters"]
 COMMON_KEYS = "scene prepare solve run replay platform cost_model options smpirun hosts".split()
 
 
@@ -73,9 +75,9 @@ def scene_key(case: dict) -> list:
 def prepare(case: dict, out: Path, programs: Path, directory: Path) -> None:
     """Makes `directory` a run that is prepared and not solved yet."""
     prepared = out / f"prepared-{digest([scene_key(case), case.get('prepare', [])])}"
-    if not (prepared / "graph.txt").exists():
+    if not (prepared / "graph.bin").exists():
         run([programs / "enfilade", "prepare", scene_file(case, out, programs), "-o", prepared, "--no-pictures",
-             *case.get("prepare", [])], out / "prepare.log")
+             *PAPER_HIERARCHY, *case.get("prepare", [])], out / "prepare.log")
     shutil.rmtree(directory, ignore_errors=True)
     shutil.copytree(prepared, directory)
 
@@ -87,8 +89,8 @@ def recorded_run(case: dict, out: Path, programs: Path) -> Path:
     directory = out / f"run-{digest([scene_key(case), case.get('prepare', []), case['solve']])}"
     if not (directory / "stats.json").exists():
         prepare(case, out, programs, directory)
-        run([programs / "enfilade", "solve", directory, "-o", directory, "--no-pictures", *case["solve"]],
-            out / "solve.log")
+        run([programs / "enfilade", "solve", directory, "-o", directory, "--no-pictures", *PAPER_HIERARCHY,
+             *case["solve"]], out / "solve.log")
     return directory
 
 
@@ -133,7 +135,7 @@ def run_case(case: dict, recorded: Path | None, out: Path, programs: Path) -> di
         (directory / "cost.json").write_text(json.dumps(model, indent=1))
         model = directory / "cost.json"
     target = directory / "RUN"
-    source = ["--replay", recorded] if recorded else [target, "--no-pictures", *case["solve"]]
+    source = ["--replay", recorded] if recorded else [target, "--no-pictures", *PAPER_HIERARCHY, *case["solve"]]
     command = ["smpirun", "-np", ranks, "-platform", platform, "-hostfile", directory / "hosts",
                *case.get("smpirun", []), programs / "enfilade-smpi", "solve", *source, "-o", target,
                "--cost-model", ROOT / model, "--quiet", *case.get("options", [])]

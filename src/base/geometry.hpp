@@ -62,4 +62,9 @@ struct Box {
   }
 };
 
+/// Returns the distance between two boxes; 0 where they overlap.
+inline double gap_m(const Box& a, const Box& b) {
+  return glm::length(glm::max(Vec3(0.0), glm::max(a.lo - b.hi, b.lo - a.hi)));
+}
+
 }  // namespace enfilade

@@ -8,6 +8,8 @@
 namespace enfilade {
 namespace {
 
+constexpr int steps_from_dark = 8;
+
 RayScene rays_of(std::span<const CellPiece> pieces) {
   std::vector<Polygon> polygons;
   polygons.reserve(pieces.size());
@@ -42,7 +44,8 @@ bool LightWalk::finds_light(const Vec3& p, const Vec3& n, int walks, Random& ran
 }
 
 bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
-  for (int bounce = 0; bounce < max_bounces_; ++bounce) {
+  int steps = 0;
+  while (steps < max_bounces_) {
     p += offset_m_ * n;
     if (sees_light(p, n, random)) return true;
     const double r2 = random.uniform(), turn = random.uniform();
@@ -50,6 +53,7 @@ bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
     const RayHit hit = rays_.closest(p, d);
     if (!hit.any() || !hit.front) return false;
     if (faces_[hit.polygon].emits) return true;
+    steps += faces_[hit.polygon].dark ? steps_from_dark : 1;
     p += hit.distance_m * d;
     n = faces_[hit.polygon].n;
   }

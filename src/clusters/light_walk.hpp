@@ -16,10 +16,13 @@ namespace enfilade {
 class LightWalk {
  public:
   /// Each step of a walk starts `offset_m` in front of a polygon and tests one light or emitting
-  /// piece, drawn at random, by a shadow ray. A walk ends without light after `max_bounces` steps.
+  /// piece, drawn at random, by a shadow ray. A walk ends without light after `max_bounces` steps;
+  /// a step from a piece that is marked dark counts for eight, since hollows have many pieces.
   LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
             int max_bounces);
 
+  /// Marks a whole piece from which no walk has found light.
+  void mark_dark(std::size_t piece) { faces_[piece].dark = true; }
   /// True if any of `walks` walks from p, on a plane with unit normal n, finds light.
   bool finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const;
 
@@ -31,7 +34,7 @@ class LightWalk {
 
   struct Face {
     Vec3 n;
-    bool emits;
+    bool emits, dark = false;
   };
   std::span<const PointLight> lights_;
   std::span<const CellPiece> pieces_;

@@ -223,13 +223,16 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
   const double min_length_m = config.min_length_relative * box.diagonal();
   const ContactSegments contacts(polygons, tolerance_m, min_length_m);
   // Walks start clear of polygons that lie in the plane itself.
-  const LightWalk walk(scene, pieces, 2.0 * tolerance_m, config.max_bounces);
+  LightWalk walk(scene, pieces, 2.0 * tolerance_m, config.max_bounces);
   std::vector<CellPiece> cut;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i].piece;
     PieceCut one(piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
                  Random(config.seed * 0x9E3779B97F4A7C15ull + i));
-    for (Part& part : one.parts()) {
+    std::vector<Part> parts = one.parts();
+    if (std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.unreachable; }))
+      walk.mark_dark(i);
+    for (Part& part : parts) {
       cut.push_back({pieces[i].cell, {piece.surface, std::move(part.polygon)}, part.unreachable});
     }
   }

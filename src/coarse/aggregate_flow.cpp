@@ -16,22 +16,24 @@ AggregateFlow::AggregateFlow(const PatchForest& receiver, const Aggregates& rece
 
 /// The irradiance of a group link goes to the group's polygons by cosine and area; the power that
 /// reaches a patch goes to the aggregates in it by area.
-void AggregateFlow::share_received(const Link& link, std::span<const float> transport) {
-  received_.assign(receiving_.size(), 0.0);
+std::vector<double> received_shares(const PatchForest& receiver, const Aggregates& receiving,
+                                    const Link& link, std::span<const float> transport) {
+  std::vector<double> received(receiving.size(), 0.0);
   constexpr double whole = 1.0;
-  if (receiving_.size() == 1) {
-    received_[0] = whole;
+  if (receiving.size() == 1) {
+    received[0] = whole;
   } else if (!link.receiver.is_group()) {
-    receiving_.add(receiver_, link.receiver, std::span(&whole, 1), received_);
+    receiving.add(receiver, link.receiver, std::span(&whole, 1), received);
   } else {
     double sum = 0.0;
-    for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double cosine) {
-      const double area_m2 = receiver_.node(k).shape.area_m2 * cosine;
-      receiving_.add(receiver_, {k, 1}, std::span(&area_m2, 1), received_);
+    for_each_facing(receiver, link, transport, [&](std::uint32_t k, double cosine) {
+      const double area_m2 = receiver.node(k).shape.area_m2 * cosine;
+      receiving.add(receiver, {k, 1}, std::span(&area_m2, 1), received);
       sum += area_m2;
     });
-    for (double& share : received_) share = sum > 0.0 ? share / sum : 0.0;
+    for (double& share : received) share = sum > 0.0 ? share / sum : 0.0;
   }
+  return received;
 }
 
 /// By the power that each aggregate of the shooter reflects, for want of anything better: a link
@@ -56,7 +58,7 @@ void AggregateFlow::add(const Link& link, std::span<const float> transport,
     for (std::size_t b = 0; b < bands_; ++b) flow_[b] += power[b];
     return;
   }
-  share_received(link, transport);
+  received_ = received_shares(receiver_, receiving_, link, transport);
   share_sent(link.shooter);
   for (std::size_t to = 0; to < received_.size(); ++to) {
     if (received_[to] == 0.0) continue;

@@ -11,6 +11,10 @@
 
 namespace enfilade {
 
+/// Returns the shares of a link's power by receiving aggregate.
+std::vector<double> received_shares(const PatchForest& receiver, const Aggregates& receiving,
+                                    const Link& link, std::span<const float> transport);
+
 /// Sums the links from one shooting cluster to one receiving cluster.
 class AggregateFlow {
  public:
@@ -25,7 +29,6 @@ class AggregateFlow {
   std::vector<double> take() { return std::move(flow_); }
 
  private:
-  void share_received(const Link& link, std::span<const float> transport);
   void share_sent(PatchId node);
 
   const PatchForest &receiver_, &shooter_;

@@ -21,6 +21,14 @@ void for_each_coupling(
            static_cast<std::uint32_t>(shooting + i % run / bands), flow, entry.stale);
     }
   }
+  for (const CoarseRow::FarEntry& entry : row.far) {
+    const std::size_t bands = entry.flow.size() / row.aggregates;
+    for (std::size_t z = 0; z < row.aggregates; ++z) {
+      const std::span flow = std::span(entry.flow).subspan(z * bands, bands);
+      if (std::all_of(flow.begin(), flow.end(), [](double f) { return f == 0.0; })) continue;
+      take(static_cast<std::uint32_t>(first + z), entry.column, flow, true);
+    }
+  }
 }
 
 }  // namespace enfilade

@@ -18,12 +18,19 @@ struct CoarseRow {
     bool stale = false;        ///< the shooter's light was that of the iteration before
     std::vector<double> flow;  ///< reflected power that arrived: AggregateFlow::take()
   };
+  /// What a far shooter's links bring, divided among the unknowns under it. Its light was that of
+  /// the iteration before.
+  struct FarEntry {
+    std::uint32_t column = 0;
+    std::vector<double> flow;  ///< [receiving aggregate * bands + band]
+  };
   std::size_t aggregates = 1;  ///< of the receiving cluster
   // [aggregate * bands + band]
   std::vector<double> before, after;  ///< power that arrives, before and after this gather
   std::vector<double> absorbed;       ///< the absorbed part of the power `after`
   std::vector<double> escaping;       ///< the part that is reflected and leaves the scene
   std::vector<Entry> entries;         ///< by ascending shooter
+  std::vector<FarEntry> far;          ///< by ascending column
 };
 
 /// Calls take(row, column, flow per band, stale) for each pair of unknowns with a flow between

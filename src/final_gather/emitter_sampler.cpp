@@ -1,6 +1,8 @@
 #include "final_gather/emitter_sampler.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "geometry/form_factor.hpp"
@@ -20,6 +22,8 @@ constexpr int most_cuts = 16, cuts_to_find_light = 3;
 constexpr double hidden_part = 8.0;
 /// Corners of a part are tried for visibility this far out from its centroid.
 constexpr double toward_corner = 0.98;
+/// A polygon this many times its size away, squared, weighs as much as its middle does.
+constexpr double far_areas = 16.0;
 /// Share of the bright emitters' unoccluded light at a point below which one is left out.
 constexpr double negligible = 1e-6;
 
@@ -56,7 +60,12 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
       const std::uint32_t number = occluders.global(c.id(), k);
       is_bright_[number] = largest > limit;
       (largest > limit ? bright_ : others_)
-          .push_back({number, &f, k, corners_of(f.frames()[k], f.node(k).shape), largest});
+          .push_back({number, &f, k, corners_of(f.frames()[k], f.node(k).shape), largest, 0.0});
+      Emitter& added = (largest > limit ? bright_ : others_).back();
+      for (const Vec3& corner : added.corners) {
+        const Vec3 d = corner - f.frames()[k].origin;
+        added.size2 = std::max(added.size2, glm::dot(d, d));
+      }
     }
   }
 }
@@ -96,8 +105,16 @@ std::vector<double> EmitterSampler::unoccluded(const std::vector<Emitter>& polyg
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Emitter& b = polygons[i];
     const PolygonFrame& frame = b.forest->frames()[b.k];
-    if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) continue;
-    weight[i] = point_to_polygon(p, n, b.corners) * b.largest_radiosity;
+    const Vec3 d = frame.origin - p;  // from the polygon's centroid
+    const double sent = -glm::dot(frame.n, d), r2 = glm::dot(d, d);
+    if (b.polygon == own || sent <= 0.0) continue;
+    const double m2 = b.forest->node(b.k).shape.area_m2, received = glm::dot(n, d);
+    // Far away the kernel to the middle will do; near the horizon a part may still be above it.
+    const bool is_far = r2 > far_areas * b.size2;
+    if (is_far && received < -std::sqrt(b.size2)) continue;
+    weight[i] = b.largest_radiosity * (is_far && received > std::sqrt(b.size2)
+                                           ? m2 * received * sent / (std::numbers::pi * r2 * r2)
+                                           : point_to_polygon(p, n, b.corners));
   }
   return weight;
 }

@@ -57,6 +57,7 @@ class EmitterSampler {
     std::uint32_t k;  // number in the forest
     Polygon corners;
     double largest_radiosity;  // mean over the polygon, of the largest band
+    double size2;              // m2: squared distance of its farthest corner from its centroid
     double radiosity(std::size_t band) const {
       return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
     }

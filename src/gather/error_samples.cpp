@@ -22,10 +22,6 @@ double top(std::span<const double> light, std::size_t terms) {
   return most;
 }
 
-/// Polygons that may bring a smaller share of a point's light than this are left to the rays.
-constexpr double least_share = 5e-3;
-/// The same for bright emitters.
-constexpr double least_bright_share = 1e-6;
 /// Least ratio of a bright emitter's radiosity to the irradiance at a point; and the same ratio per
 /// ray.
 constexpr double bright_ratio = 4.0, bright_ratio_per_ray = 0.01;
@@ -120,10 +116,14 @@ void ErrorSamples::cast_rays() {
 /// A bright emitter: one ray that meets it would bring too large a share of the point's light.
 bool ErrorSamples::is_bright(const PatchForest& forest, std::size_t polygon,
                              const Point& point) const {
+  return top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms())) >
+         bright_radiosity(point);
+}
+
+double ErrorSamples::bright_radiosity(const Point& point) const {
   const double least =
       std::max(point.irradiance, least_bright_irradiance * config_.mean_irradiance);
-  return top(forest.radiosity(polygon), static_cast<std::size_t>(forest.terms())) >
-         std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
+  return std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
 }
 
 void ErrorSamples::add(const PointLight& light) {

@@ -11,6 +11,7 @@
 
 #include "base/random.hpp"
 #include "base/work_count.hpp"
+#include "far_field/far_view.hpp"
 #include "final_gather/visible_nodes.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "occluders/occluders.hpp"
@@ -41,6 +42,9 @@ class ErrorSamples {
   ErrorSamples(const ClusterState& receiver, const Occluders& occluders,
                const ErrorSampleConfig& config, WorkCount& work);
 
+  /// Returns the clusters that may matter to the points, ascending: those that rays met, and those
+  /// of the far field that may send enough light.
+  std::vector<ClusterId> shooters(const FarView& far) const;
   /// Adds the irradiance of the points by a light.
   void add(const PointLight& light);
   /// Adds the irradiance of the points by a cluster; each cluster may be added once.
@@ -51,6 +55,10 @@ class ErrorSamples {
  private:
   /// Floor of the reference irradiance, relative to the scene's mean.
   static constexpr double least_irradiance = 1e-3;
+  /// Polygons that may bring a smaller share of a point's light than this are left to the rays.
+  static constexpr double least_share = 5e-3;
+  /// The same for bright emitters.
+  static constexpr double least_bright_share = 1e-6;
 
   struct Point {
     std::uint32_t polygon;
@@ -80,6 +88,9 @@ class ErrorSamples {
   double unoccluded_share(const PatchForest& forest, std::uint32_t polygon,
                           const Point& point) const;
   bool is_bright(const PatchForest& forest, std::size_t polygon, const Point& point) const;
+  /// Returns the radiosity above which a polygon is bright.
+  double bright_radiosity(const Point& point) const;
+  void add_shooters(const FarView& far, const Point& point, std::vector<ClusterId>& found) const;
   void add_closed_forms(const ClusterState& shooter, Point& point);
   void add_emitter(const ClusterState& shooter, std::uint32_t polygon, Point& point);
   double irradiance_of(const Point& point, std::size_t half, std::size_t band) const;

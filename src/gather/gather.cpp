@@ -16,17 +16,19 @@ namespace {
 /// One gather of one receiving cluster, one shooting cluster after the other.
 class Gatherer {
  public:
-  Gatherer(ClusterState& receiver, std::span<const PointLight> lights, const Occluders& occluders,
-           const GatherConfig& config)
+  Gatherer(ClusterState& receiver, const Shooters& shooters, std::span<const PointLight> lights,
+           const Occluders& occluders, const GatherConfig& config)
       : receiver_(receiver),
+        shooters_(shooters),
         lights_(lights),
         occluders_(occluders),
         config_(config),
         bands_(static_cast<std::size_t>(receiver.bands())),
         first_time_(receiver.iteration() == 0),
-        refinement_(receiver, lights, occluders, config.refinement, result_.figures.work),
-        light_(receiver.patches(), lights),
-        closure_(receiver),
+        refinement_(receiver, lights, far_view(), occluders, config.refinement,
+                    result_.figures.work),
+        light_(receiver.patches(), lights, far_light()),
+        closure_(receiver, far_light()),
         samples_(receiver, occluders, config.error_samples, result_.figures.work),
         refined_(receiver.links().stride()),
         flow_(bands_) {
@@ -36,23 +38,36 @@ class Gatherer {
   }
 
   void gather_lights();
+  void gather_far();
+  /// Returns the clusters to gather from, ascending; those of the links to far nodes that were
+  /// opened among them.
+  std::vector<ClusterId> clusters();
   void gather_from(const ClusterState& shooter);
   GatherResult finish();
 
  private:
+  const FarView* far_view() const { return far_ ? &*far_ : nullptr; }
+  const BuildingLight* far_light() const { return far_ ? &far_->light() : nullptr; }
   void link_root(ClusterId cluster, PatchId shooter);
   void refine_links(std::size_t begin, std::size_t end, const PatchForest* shooter);
+  void refine_near_links(ClusterId cluster, const PatchForest& shooter);
+  void begin_change(std::size_t links_before);
   void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
   void receive(const Link& link, std::span<const float> transport, const PatchForest* shooter,
                AggregateFlow* flow);
   void close_rows();
+  std::uint64_t linked_clusters() const;
 
   ClusterState& receiver_;
+  const Shooters& shooters_;
   std::span<const PointLight> lights_;
   const Occluders& occluders_;
   const GatherConfig& config_;
   std::size_t bands_;
   bool first_time_;
+  std::optional<FarView> far_{shooters_.far == nullptr
+                                  ? std::nullopt
+                                  : std::make_optional<FarView>(*shooters_.far, receiver_.id())};
   GatherResult result_;
   LinkRefinement refinement_;
   GatheredLight light_;
@@ -62,6 +77,8 @@ class Gatherer {
   LinkSet refined_;       ///< the links of the shooters so far, once one of them has changed
   bool changed_ = false;  ///< one has
   std::vector<double> flow_;  ///< scratch: reflected power per band that one link brings
+  std::optional<FarFlow> far_flow_;
+  std::size_t next_near_ = 0;  ///< first of the refinement's near links that is to come
 };
 
 /// Adds the first link, from a whole visible cluster or a light to the whole receiving cluster.
@@ -81,15 +98,63 @@ void Gatherer::gather_lights() {
   take_links({}, nullptr, false);
 }
 
+void Gatherer::gather_far() {
+  if (!far_) return;
+  if (first_time_) link_root({}, {PatchId::group_bit | BuildingTree::root, 1});
+  const LinkSet& links = receiver_.links();
+  const std::size_t first = next_, refined_first = changed_ ? refined_.size() : first;
+  while (next_ < links.size() && links[next_].is_far()) ++next_;
+  if (config_.refine) refine_links(first, next_, nullptr);
+  if (config_.coarse_row) far_flow_.emplace(receiver_.patches(), receiver_.aggregates());
+  const LinkSet& now = changed_ ? refined_ : links;
+  const std::size_t end = changed_ ? refined_.size() : next_;
+  for (std::size_t i = refined_first; i < end; ++i) {
+    if (now[i].evaluated) receive(now[i], now.transport(i), nullptr, nullptr);
+  }
+  std::vector<Link>& near = refinement_.near_links();
+  std::stable_sort(near.begin(), near.end(), [](const Link& a, const Link& b) {
+    return a.shooter_cluster < b.shooter_cluster;
+  });
+}
+
+std::vector<ClusterId> Gatherer::clusters() {
+  if (!far_) return {shooters_.listed.begin(), shooters_.listed.end()};
+  std::vector<ClusterId> found = samples_.shooters(*far_);
+  const LinkSet& links = receiver_.links();
+  for (std::size_t i = next_; i < links.size(); ++i) {
+    if (found.empty() || found.back() != links[i].shooter_cluster)
+      found.push_back(links[i].shooter_cluster);
+  }
+  for (const Link& link : refinement_.near_links()) found.push_back(link.shooter_cluster);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 void Gatherer::gather_from(const ClusterState& shooter) {
-  if (first_time_) link_root(shooter.id(), shooter.patches().root());
+  if (first_time_ && !far_) link_root(shooter.id(), shooter.patches().root());
   if (config_.close_rows) closure_.add_shooter(shooter);
   samples_.add(shooter);
   const bool itself = shooter.id() == receiver_.id();
   take_links(shooter.id(), &shooter, itself || shooter.iteration() < config_.iteration);
 }
 
-/// From the first link that is replaced by others, all links are copied to refined_.
+/// From the first link that is replaced by others, all links are copied to refined_: first the
+/// `links_before` it.
+void Gatherer::begin_change(std::size_t links_before) {
+  if (!changed_) refined_.take_first(receiver_.links(), links_before);
+  changed_ = true;
+}
+
+/// Evaluates and refines the links from this cluster that replace links from far nodes.
+void Gatherer::refine_near_links(ClusterId cluster, const PatchForest& shooter) {
+  const std::vector<Link>& near = refinement_.near_links();
+  for (; next_near_ < near.size() && near[next_near_].shooter_cluster == cluster; ++next_near_) {
+    begin_change(next_);
+    refinement_.refine(near[next_near_], &shooter, refined_);
+  }
+}
+
 void Gatherer::refine_links(std::size_t begin, std::size_t end, const PatchForest* shooter) {
   const LinkSet& links = receiver_.links();
   for (std::size_t i = begin; i < end; ++i) {
@@ -97,8 +162,7 @@ void Gatherer::refine_links(std::size_t begin, std::size_t end, const PatchFores
       if (changed_) refined_.add(links[i], links.transport(i));
       continue;
     }
-    if (!changed_) refined_.take_first(links, i);
-    changed_ = true;
+    begin_change(i);
     refinement_.refine(links[i], shooter, refined_);
   }
 }
@@ -109,8 +173,10 @@ void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool sta
   const PatchForest* shooter = state == nullptr ? nullptr : &state->patches();
   const LinkSet& links = receiver_.links();
   const std::size_t first = next_, refined_first = changed_ ? refined_.size() : first;
-  while (next_ < links.size() && links[next_].shooter_cluster == cluster) ++next_;
+  while (next_ < links.size() && links[next_].shooter_cluster == cluster && !links[next_].is_far())
+    ++next_;
   if (config_.refine) refine_links(first, next_, shooter);
+  if (shooter != nullptr) refine_near_links(cluster, *shooter);
   const LinkSet& now = changed_ ? refined_ : links;
   const std::size_t end = changed_ ? refined_.size() : next_;
   std::optional<AggregateFlow> flow;
@@ -135,7 +201,13 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   result_.figures.visibility_uncertainty_power += link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
-  if (shooter == nullptr) {
+  if (link.is_far()) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      flow_[b] = factor * light_.reflected(b);
+      result_.figures.returning_power[b] += flow_[b];
+    }
+    if (far_flow_) far_flow_->add(link, transport, flow_);
+  } else if (shooter == nullptr) {
     for (std::size_t b = 0; b < bands_; ++b) result_.figures.direct_power[b] += factor * means[b];
   } else {
     for (std::size_t b = 0; b < bands_; ++b) {
@@ -156,13 +228,27 @@ GatherResult Gatherer::finish() {
   result_.links_changed =
       first_time_ ? links.size() > 0 : changed_ && !(links == receiver_.links());
   if (changed_) receiver_.links() = std::move(refined_);
+  if (far_flow_) result_.coarse.far = far_flow_->entries(*shooters_.unknowns);
   if (config_.close_rows) close_rows();
   push_pull(receiver_, light_.irradiance(), result_.figures, result_.coarse);
   result_.figures.error_samples = samples_.compare(receiver_);
   result_.figures.patches = receiver_.patches().size();
   result_.figures.links = receiver_.links().size();
+  result_.figures.linked_clusters = linked_clusters();
   receiver_.set_iteration(config_.iteration);
+  if (far_) result_.light = light_of(receiver_);
   return std::move(result_);
+}
+
+std::uint64_t Gatherer::linked_clusters() const {
+  std::uint64_t count = 0;
+  ClusterId last;  // links lie in the order of their shooting clusters
+  for (std::size_t i = 0; i < receiver_.links().size(); ++i) {
+    const ClusterId shooter = receiver_.links()[i].shooter_cluster;
+    if (shooter.valid() && shooter != last && shooter != receiver_.id()) ++count;
+    last = shooter;
+  }
+  return count;
 }
 
 /// Reflected power: all that was gathered but for what came straight from point lights. The light
@@ -188,17 +274,21 @@ void Gatherer::close_rows() {
     for (CoarseRow::Entry& entry : result_.coarse.entries) {
       for (std::size_t i = b; i < entry.flow.size(); i += bands_) entry.flow[i] *= more;
     }
+    for (CoarseRow::FarEntry& entry : result_.coarse.far) {
+      for (std::size_t i = b; i < entry.flow.size(); i += bands_) entry.flow[i] *= more;
+    }
   }
 }
 
 }  // namespace
 
-GatherResult gather(ClusterState& receiver, std::span<const ClusterId> visible,
-                    const ShooterSource& shooter, std::span<const PointLight> lights,
-                    const Occluders& occluders, const GatherConfig& config) {
-  Gatherer gatherer(receiver, lights, occluders, config);
+GatherResult gather(ClusterState& receiver, const Shooters& shooters, const ShooterSource& shooter,
+                    std::span<const PointLight> lights, const Occluders& occluders,
+                    const GatherConfig& config) {
+  Gatherer gatherer(receiver, shooters, lights, occluders, config);
   gatherer.gather_lights();
-  for (const ClusterId id : visible) {
+  gatherer.gather_far();
+  for (const ClusterId id : gatherer.clusters()) {
     gatherer.gather_from(id == receiver.id() ? receiver : shooter(id));
   }
   return gatherer.finish();

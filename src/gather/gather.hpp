@@ -7,6 +7,8 @@
 
 #include "base/work_count.hpp"
 #include "coarse/coarse_row.hpp"
+#include "coarse/far_flow.hpp"
+#include "far_field/far_view.hpp"
 #include "gather/iteration_figures.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "links/link_refinement.hpp"
@@ -34,16 +36,26 @@ struct GatherResult {
   IterationFigures figures;
   CoarseRow coarse;
   bool links_changed = false;  ///< the gather changed the links
+  ClusterLight light;          ///< of the receiver after the gather, where there is a far field
+};
+
+/// The clusters that a receiver gathers from: those of a list, or those that it finds through the
+/// building's tree.
+struct Shooters {
+  std::span<const ClusterId>
+      listed;  ///< ascending; contains the receiver. Ignored with a far field
+  const FarField* far = nullptr;
+  const FarUnknowns* unknowns = nullptr;  ///< with a far field and a coarse system
 };
 
 /// Returns a visible cluster, which need stay valid only until the next call.
 using ShooterSource = std::function<const ClusterState&(ClusterId)>;
 
-/// Gathers for `receiver` from the lights, then from each cluster of `visible`, which ascends and
-/// contains the receiver. No more than two clusters need be in memory at once. Changes the
-/// receiver's patches and links only.
-GatherResult gather(ClusterState& receiver, std::span<const ClusterId> visible,
-                    const ShooterSource& shooter, std::span<const PointLight> lights,
-                    const Occluders& occluders, const GatherConfig& config);
+/// Gathers for `receiver` from the lights, then from far shooters, then from clusters in ascending
+/// order. No more than two clusters need be in memory at once. Changes the receiver's patches and
+/// links only.
+GatherResult gather(ClusterState& receiver, const Shooters& shooters, const ShooterSource& shooter,
+                    std::span<const PointLight> lights, const Occluders& occluders,
+                    const GatherConfig& config);
 
 }  // namespace enfilade

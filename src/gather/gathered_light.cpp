@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "far_field/far_view.hpp"
+
 namespace enfilade {
 
-GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights)
+GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+                             const BuildingLight* far)
     : receiver_(receiver),
       lights_(lights),
+      far_(far),
       bands_(static_cast<std::size_t>(receiver.bands())),
       terms_(static_cast<std::size_t>(receiver.terms())),
       light_(bands_ * terms_),
@@ -14,7 +18,9 @@ GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointL
 
 double GatheredLight::read(const Link& link, const PatchForest* shooter) {
   const double variation = read_light(link, shooter);
-  for (std::size_t b = 0; b < bands_; ++b) means_[b] = light_[b * terms_];
+  for (std::size_t b = 0; b < bands_; ++b) {
+    means_[b] = light_[b * terms_] + (emitted_.empty() ? 0.0 : emitted_[b]);
+  }
   return variation;
 }
 
@@ -22,6 +28,16 @@ double GatheredLight::read(const Link& link, const PatchForest* shooter) {
 /// function about the patch's own centroid.
 double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
   std::fill(light_.begin(), light_.end(), 0.0);
+  emitted_.clear();
+  if (link.is_far()) {
+    const std::uint32_t node = link.shooter.group();
+    const Vec3 toward = unfold_direction({link.shooter_x, link.shooter_y});
+    for (std::size_t b = 0; b < bands_; ++b) {
+      light_[b * terms_] = far_->reflected(node, b, toward);
+      emitted_.push_back(far_->emitted(node, b));
+    }
+    return far_->deviation(node);
+  }
   if (shooter == nullptr) {
     for (std::size_t b = 0; b < bands_; ++b) {
       light_[b * terms_] = lights_[link.shooter.root].intensity[b];
@@ -55,7 +71,9 @@ void GatheredLight::receive(const Link& link, std::span<const float> transport) 
 void GatheredLight::receive_group(const Link& link, std::span<const float> transport) {
   for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double cosine) {
     for (std::size_t b = 0; b < bands_; ++b) {
-      irradiance_[(k * bands_ + b) * terms_] += transport[0] * cosine * means_[b];
+      double& to = irradiance_[(k * bands_ + b) * terms_];
+      to += transport[0] * cosine * light_[b * terms_];
+      if (!emitted_.empty()) to += transport[FarTerms::of(true).emitted] * cosine * emitted_[b];
     }
   });
 }
@@ -65,10 +83,11 @@ void GatheredLight::receive_patch(const Link& link, std::span<const float> trans
   for (std::size_t b = 0; b < bands_; ++b) {
     for (std::size_t r = 0; r < terms_; ++r) {
       double sum = 0.0;
-      for (std::size_t s = 0; s < terms_; ++s)
+      for (std::size_t s = 0; s < terms_; ++s)  // of a far shooter, the slopes are zero
         sum += transport[r * terms_ + s] * light_[b * terms_ + s];
       to[b * terms_ + r] += sum;
     }
+    if (!emitted_.empty()) to[b * terms_] += transport[FarTerms::of(false).emitted] * emitted_[b];
   }
 }
 

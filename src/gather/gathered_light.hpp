@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far_field/building_light.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "hierarchy/link.hpp"
 
@@ -12,15 +13,20 @@ namespace enfilade {
 /// Reads the light of shooters and sums, link by link, the irradiance at the receiving nodes.
 class GatheredLight {
  public:
-  /// `receiver` may get more patches between the calls. Both must outlive the object.
-  GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights);
+  /// `receiver` may get more patches between the calls. All must outlive the object. `far`: null
+  /// where no link has a far shooter.
+  GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+                const BuildingLight* far);
 
-  /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light where
-  /// that is null. Returns its RMS variation over the shooter (worst band; 0 for a light).
+  /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light or a far
+  /// node where that is null. Returns its RMS variation over the shooter (worst band; 0 for a
+  /// light).
   double read(const Link& link, const PatchForest* shooter);
   /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
   /// intensity.
   std::span<const double> means() const { return means_; }
+  /// Returns the reflected radiosity of a far shooter read last.
+  double reflected(std::size_t band) const { return light_[band * terms_]; }
   /// Adds the light read last, by the link's transport, to the irradiance of its receiver.
   void receive(const Link& link, std::span<const float> transport);
 
@@ -37,9 +43,11 @@ class GatheredLight {
 
   const PatchForest& receiver_;
   std::span<const PointLight> lights_;
+  const BuildingLight* far_;
   std::size_t bands_, terms_;
   std::vector<double> irradiance_;
   std::vector<double> light_, means_;  ///< of the shooter read last: as the basis has it; per band
+  std::vector<double> emitted_;        ///< of a far shooter: mean exitance per band; else empty
 };
 
 }  // namespace enfilade

@@ -21,6 +21,8 @@ struct IterationFigures {
   double link_error_power = 0.0;              ///< sum of the links' estimated errors
   double visibility_uncertainty_power = 0.0;  ///< the part of that due to visibility uncertainty
   std::uint64_t patches = 0, links = 0;       ///< their number after the gather
+  /// Shooting clusters that a receiver has links with, itself left out, summed over receivers.
+  std::uint64_t linked_clusters = 0;
   std::uint64_t steals = 0, steal_requests = 0;
   WorkCount work;
   // Of the rows before their closure (row_closure.hpp), zero where no rows were closed:
@@ -68,6 +70,8 @@ void for_each_number(Visit visit) {
       FigureName{"patches", Fold::sum, last}, [](auto& f) -> auto& { return f.patches; });
   visit(
       FigureName{"links", Fold::sum, last}, [](auto& f) -> auto& { return f.links; });
+  visit(
+      FigureName{"linked_clusters"}, [](auto& f) -> auto& { return f.linked_clusters; });
   visit(
       FigureName{"steals", Fold::sum, total}, [](auto& f) -> auto& { return f.steals; });
   visit(

@@ -19,8 +19,9 @@ constexpr int least_rings = 4;
 
 }  // namespace
 
-RowClosure::RowClosure(ClusterState& receiver)
+RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far)
     : receiver_(receiver),
+      far_(far),
       bands_(static_cast<std::size_t>(receiver.bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
       width_(terms_ + 1 + 2 * bands_) {}
@@ -53,6 +54,7 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
                      std::span<const double> light, double variation) {
   if (link.is_light()) return;
   const PatchForest& patches = receiver_.patches();
+  const float factor = link.is_far() ? transport[FarTerms::of(link).factor] : transport[0];
   if (link.receiver.is_group()) {
     const GroupNode& group = patches.groups()[link.receiver.group()];
     for (std::uint32_t j = group.begin; j < group.end; ++j) {
@@ -60,31 +62,39 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
       if (cosine > 0.0 && !patches.unreachable(k))
-        add(k, transport[0] * cosine, transport[0] * cosine * group_uncertainty, light, 0.0);
+        add(k, factor * cosine, factor * cosine * group_uncertainty, light, 0.0);
     }
     return;
   }
   // A link without any transport has no uncertainty here: the missing light comes from visible
   // shooters.
   const std::size_t node = patches.find(link.receiver);
-  const double per_m2 = transport[0] > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
-  add(node, transport[0], per_m2 * link.error, light, per_m2 * link.variation * variation);
-  if (terms_ == 3) {
+  const double per_m2 = factor > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
+  add(node, factor, per_m2 * link.error, light, per_m2 * link.variation * variation);
+  if (terms_ == 3 && !link.is_far()) {
     row(node)[1] += transport[3];
     row(node)[2] += transport[6];
   }
 }
 
+/// Of a cluster that is no shooter, only the far field's light is known: all of it counts as lit,
+/// or none.
+bool RowClosure::lit(const PolygonRef& polygon) const {
+  const auto shooter = std::lower_bound(lit_from_.begin(), lit_from_.end(),
+                                        std::pair(polygon.cluster, std::size_t{0}));
+  if (shooter != lit_from_.end() && shooter->first == polygon.cluster) {
+    return lit_[shooter->second + polygon.polygon] != 0;
+  }
+  return far_ != nullptr && !far_->is_dark(far_->tree().leaf_of(polygon.cluster));
+}
+
 std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluders,
                                             WorkCount& work) {
   PatchForest& patches = receiver_.patches();
-  const auto lit = [this](const PolygonRef& polygon) {
-    const auto shooter = std::lower_bound(lit_from_.begin(), lit_from_.end(),
-                                          std::pair(polygon.cluster, std::size_t{0}));
-    return shooter != lit_from_.end() && shooter->first == polygon.cluster &&
-           lit_[shooter->second + polygon.polygon] != 0;
-  };
-  patches.forget_enclosed_shares_below(lit_in_view_);
+  const auto is_lit = [this](const PolygonRef& polygon) { return lit(polygon); };
+  patches.forget_enclosed_shares_below(
+      far_ == nullptr ? lit_in_view_
+                      : static_cast<std::uint32_t>(far_->lit_polygons(BuildingTree::root)));
   std::vector<char> open(patches.polygons(), 0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
@@ -92,7 +102,7 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
     if (patches.unreachable(node.id.root)) patches.set_enclosed_share(n, 0.0f);
     if (patches.enclosed_share(n) < 0.0f) {
       patches.set_enclosed_share(
-          n, static_cast<float>(enclosed_share(receiver_, node, rings, occluders, lit, work)));
+          n, static_cast<float>(enclosed_share(receiver_, node, rings, occluders, is_lit, work)));
     }
     if (patches.enclosed_share(n) < 1.0f) open[node.id.root] = 1;
   }

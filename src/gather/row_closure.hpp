@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "far_field/building_light.hpp"
 #include "occluders/openness.hpp"
 
 namespace enfilade {
@@ -21,7 +22,9 @@ struct RowClosureSums {
 /// enclosed share, which is 1 where every ray from the leaf ends on a lit front side.
 class RowClosure {
  public:
-  explicit RowClosure(ClusterState& receiver);
+  /// `far`: the light of clusters that are not added as shooters; null where all are. Both must
+  /// outlive it.
+  RowClosure(ClusterState& receiver, const BuildingLight* far);
 
   /// Records which polygons of a shooter are lit. Shooters come in ascending order of id.
   void add_shooter(const ClusterState& shooter);
@@ -61,7 +64,10 @@ class RowClosure {
   void add_missing(std::size_t leaf, const Deficit& deficit, std::span<const double> arrived,
                    std::vector<double>& gathered) const;
 
+  bool lit(const PolygonRef& polygon) const;
+
   ClusterState& receiver_;
+  const BuildingLight* far_;
   std::size_t bands_, terms_, width_;
   /// Per node: the row's sum as an affine function; the sum of the links' uncertainties (estimated
   /// errors per m2); per band the sum of uncertainty times light; and per band the uncertain

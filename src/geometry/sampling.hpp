@@ -63,4 +63,23 @@ inline Vec2 uniform_point(std::span<const Vec2> polygon, double area_m2, double 
   return polygon[0] + s * ((1.0 - r2) * a + r2 * b);
 }
 
+/// The same for a polygon in space.
+inline Vec3 uniform_point(const Polygon& polygon, double r1, double r2) {
+  double whole = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    whole += glm::length(glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+  }
+  double pick = r1 * whole;
+  std::size_t i = 2;
+  for (; i + 1 < polygon.size(); ++i) {
+    const double part =
+        glm::length(glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+    if (pick < part) break;
+    pick -= part;
+  }
+  const double part = glm::length(glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+  return point_in_triangle(polygon[0], polygon[i - 1], polygon[i],
+                           part > 0.0 ? std::clamp(pick / part, 0.0, 1.0) : 0.0, r2);
+}
+
 }  // namespace enfilade

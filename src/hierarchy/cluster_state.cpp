@@ -40,9 +40,9 @@ std::vector<PolygonFrame> frames_of(const Cluster& cluster, const Scene& scene) 
   return frames;
 }
 
-/// Transport coefficients per link: 3 x 3 for the linear basis; else one for patches, and four for
-/// groups (LinkEstimate::transport).
-std::size_t link_stride(Basis basis) { return basis == Basis::linear ? 9 : 4; }
+/// Transport coefficients per link: 3 x 3 for the linear basis; else one for patches, four for
+/// groups (LinkEstimate::transport), and six for groups that receive from far nodes (FarTerms).
+std::size_t link_stride(Basis basis) { return basis == Basis::linear ? 9 : 6; }
 
 }  // namespace
 

@@ -11,14 +11,16 @@
 
 namespace enfilade {
 
-/// A link from a shooter, which is a node of some cluster or (cluster = none) the point light
-/// numbered shooter.root, to a node of the receiving cluster.
+/// A link from a shooter to a node of the receiving cluster. The shooter is a node of some cluster,
+/// or (cluster = none) the point light numbered shooter.root, or (cluster = none, and a group) node
+/// shooter.group() of the building's tree (clusters/building_tree.hpp).
 struct Link {
   ClusterId shooter_cluster;
   PatchId shooter;
   PatchId receiver;
-  float shooter_x = 0.0f,
-        shooter_y = 0.0f;  ///< the shooting patch's centroid, in its polygon's frame
+  /// The shooting patch's centroid, in its polygon's frame; of a far shooter: the direction from it
+  /// to the receiver, as fold_direction() of far_field/far_view.hpp returns it.
+  float shooter_x = 0.0f, shooter_y = 0.0f;
   /// Estimated error of the received power per unit of the shooter's mean radiosity; unit: m2.
   float error = 0.0f;
   /// Estimated error of the received power per unit of the RMS variation of the shooter's radiosity
@@ -31,7 +33,8 @@ struct Link {
   float visibility_error() const {
     return error * static_cast<float>(visibility_uncertainty) / 255.0f;
   }
-  bool is_light() const { return !shooter_cluster.valid(); }
+  bool is_light() const { return !shooter_cluster.valid() && !shooter.is_group(); }
+  bool is_far() const { return !shooter_cluster.valid() && shooter.is_group(); }
   bool operator==(const Link&) const = default;
 };
 
@@ -81,6 +84,17 @@ void for_each_facing(const PatchForest& receiver, const Link& link,
     if (cosine > 0.0 && !receiver.unreachable(k)) take(k, cosine);
   }
 }
+
+/// Which transport coefficients of a far link are its form factor, and its irradiance per unit of
+/// the node's mean exitance. The first coefficient, irradiance per unit of the reflected radiosity,
+/// is weighted by how that is distributed over the node.
+struct FarTerms {
+  std::size_t factor, emitted;
+  static FarTerms of(const Link& link) { return of(link.receiver.is_group()); }
+  static FarTerms of(bool receiver_is_group) {
+    return receiver_is_group ? FarTerms{4, 5} : FarTerms{1, 2};
+  }
+};
 
 /// Returns area times form factor of a link (m2): received power per unit of the shooter's mean
 /// radiosity.

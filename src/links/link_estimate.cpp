@@ -11,6 +11,8 @@ namespace {
 
 /// More than any power: the sides touch, and distance bounds nothing.
 constexpr double unbounded = 1e300;
+/// Share of a far node's mean radiosity that it sends in any direction, for bounds.
+constexpr double turned_away_share = 0.1;
 /// Share of the bound that a group may receive where no light arrives at its middle.
 constexpr double rim_share = 0.05;
 // A receiving group's errors and variation, as shares of what it receives: it stands for polygons
@@ -25,31 +27,39 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
 
 }  // namespace
 
-double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
+double LinkEstimator::factor_bound(const LinkSide& receiver, const LinkSide& shooter) {
   const double gap =
-      glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius;
-  if (shooter.is_light()) {
-    return gap > 0.0 ? receiver.area_m2 * shooter.light / (gap * gap) : unbounded;
-  }
+      std::max(glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius,
+               gap_m(receiver.bounds, shooter.bounds));
+  if (shooter.is_light()) return gap > 0.0 ? receiver.area_m2 / (gap * gap) : unbounded;
   const double factor =
       gap > 0.0 ? std::min(1.0, shooter.area_m2 / (std::numbers::pi * gap * gap)) : 1.0;
-  return receiver.area_m2 * shooter.light * factor;
+  return receiver.area_m2 * factor;
+}
+
+double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
+  // A far node that sends nothing to the receiver's middle may light its ends.
+  if (shooter.is_far()) {
+    const double all = shooter.far->light().radiosity(shooter.id.group(), Vec3(0.0));
+    return std::max(shooter.light, turned_away_share * all) * factor_bound(receiver, shooter);
+  }
+  return shooter.light > 0.0 ? shooter.light * factor_bound(receiver, shooter) : 0.0;
 }
 
 bool LinkEstimator::faces_away(const LinkSide& receiver, const LinkSide& shooter) {
   const double tolerance_m = 1e-9 * (receiver.radius + shooter.radius);  // rounding
   if (receiver.is_patch()) {
     const PolygonFrame& f = receiver.frame();
-    if (!shooter.is_group()) {
+    if (shooter.is_patch() || shooter.is_light()) {
       if (behind(shooter.corners, f.origin, f.n, tolerance_m)) return true;
-    } else if (glm::dot(f.n, shooter.center - f.origin) <= -shooter.radius) {
+    } else if (highest_distance(shooter.bounds, receiver.plane()) <= tolerance_m) {
       return true;
     }
   }
   if (shooter.is_patch()) {
     const PolygonFrame& f = shooter.frame();
     if (receiver.is_patch()) return behind(receiver.corners, f.origin, f.n, tolerance_m);
-    return glm::dot(f.n, receiver.center - f.origin) <= -receiver.radius;
+    return highest_distance(receiver.bounds, shooter.plane()) <= tolerance_m;
   }
   return false;
 }
@@ -90,6 +100,7 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
 
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
                                      double tolerance, const Between& among) {
+  if (shooter.is_far()) return evaluate_far(receiver, shooter, tolerance);
   visibility_.begin(among);
   return receiver.is_group() ? evaluate_group(receiver, shooter)
                              : evaluate_patch(receiver, shooter, tolerance);
@@ -120,7 +131,9 @@ double LinkEstimator::seen_by_group(const LinkSide& receiver, const LinkSide& sh
 /// to the shooter.
 LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkSide& shooter) {
   LinkEstimate out;
-  const Vec3 toward = glm::normalize(shooter.center - receiver.center);
+  const Vec3 d = shooter.center - receiver.center;
+  const double distance = glm::length(d);
+  const Vec3 toward = distance > 0.0 ? d / distance : Vec3(0.0, 0.0, 1.0);
   clear_group_factors(shooter);
   const double factor = factor_at(receiver.center, toward, shooter, group_factors_);
   const GroupNode& group = receiver.group();
@@ -133,8 +146,7 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     facing_m2 += facing.back();
   }
   if (factor <= 0.0 || facing_m2 <= 0.0) {
-    out.receiver_error =
-        rim_share * power_bound(receiver, shooter) / std::max(shooter.light, 1e-300);
+    out.receiver_error = rim_share * factor_bound(receiver, shooter);
     return out;
   }
   const double seen = seen_by_group(receiver, shooter, facing, facing_m2);

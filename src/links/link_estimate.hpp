@@ -47,12 +47,15 @@ class LinkEstimator {
   Between between() const { return visibility_.between(); }
   /// Returns an upper bound of the received power, by distance and size alone.
   static double power_bound(const LinkSide& receiver, const LinkSide& shooter);
+  /// The same per unit of the shooter's light (m2).
+  static double factor_bound(const LinkSide& receiver, const LinkSide& shooter);
   /// True where the planes alone prove that no front side of one faces a front side of the other.
   static bool faces_away(const LinkSide& receiver, const LinkSide& shooter);
 
  private:
   LinkEstimate evaluate_patch(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter);
+  LinkEstimate evaluate_far(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   double seen_by_group(const LinkSide& receiver, const LinkSide& shooter,
                        std::span<const double> facing, double facing_m2);
   PointFactors point_factors(const LinkSide& receiver, const LinkSide& shooter);

@@ -9,27 +9,44 @@ constexpr double receiving_group_share = 0.1;
 /// A group shoots as one, where that matters, with at most so many polygons: each costs a form
 /// factor at each of the receiver's points.
 constexpr std::uint32_t most_shooting_polygons = 32;
+/// A far node whose power matters shoots as one from at least so many of its radii away.
+constexpr double far_gap = 2.0;
+/// A far node that surrounds or touches the receiver is opened unless its power is below this share
+/// of the tolerance.
+constexpr double surrounding_share = 0.1;
 
 }  // namespace
 
 LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
-                               const Occluders& occluders, const RefinementConfig& config,
-                               WorkCount& work)
+                               const FarView* far, const Occluders& occluders,
+                               const RefinementConfig& config, WorkCount& work)
     : receiver_(receiver),
       lights_(lights),
+      far_(far),
       config_(config),
       work_(work),
       estimator_(occluders, config.visibility, work),
       oracle_(refinement_oracle(config.oracle)) {}
 
-LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter) const {
-  return shooter == nullptr ? LinkSide::of(lights_[link.shooter.root], link.shooter.root)
-                            : LinkSide::of(*shooter, link.shooter_cluster, link.shooter);
+LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter,
+                                      const LinkSide& receiver) const {
+  if (link.is_far()) return LinkSide::of(*far_, link.shooter.group(), receiver);
+  if (link.is_light()) return LinkSide::of(lights_[link.shooter.root], link.shooter.root);
+  return LinkSide::of(*shooter, link.shooter_cluster, link.shooter);
+}
+
+NodeLight LinkRefinement::light_of(const Link& link, const PatchForest* shooter) const {
+  if (link.is_far()) {
+    return NodeLight::of(far_->light(), link.shooter.group(),
+                         unfold_direction({link.shooter_x, link.shooter_y}));
+  }
+  if (link.is_light()) return NodeLight::of(lights_[link.shooter.root]);
+  return NodeLight::of(*shooter, link.shooter);
 }
 
 bool LinkRefinement::can_split(const LinkSide& side) const {
   if (side.is_light()) return false;
-  if (side.is_group()) return true;
+  if (side.is_group() || side.is_far()) return true;
   return side.id.path < (1u << config_.max_depth) && side.area_m2 > config_.min_area_m2 &&
          side.shape.deviations().y > 0.0;
 }
@@ -38,8 +55,9 @@ bool LinkRefinement::accurate_enough(const Link& link, std::span<const float> tr
                                      const PatchForest* shooter) const {
   if (!link.evaluated && link.is_light()) return false;
   if (link.evaluated && link.finest) return true;
-  const NodeLight sent = shooter == nullptr ? NodeLight::of(lights_[link.shooter.root])
-                                            : NodeLight::of(*shooter, link.shooter);
+  if (link.is_far() && (config_.renew_far || !link.evaluated))
+    return far_->light().is_dark(link.shooter.group());
+  const NodeLight sent = light_of(link, shooter);
   if (!link.evaluated) return sent.light <= 0.0 && sent.variation <= 0.0;
   return oracle_->estimated_error(link, transport, receiver_.patches(), sent) <=
          config_.link_tolerance;
@@ -57,9 +75,12 @@ void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSe
 void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
                               const PatchForest* shooting, LinkSet& kept) {
   const LinkSide receiver = LinkSide::of(receiver_.patches(), receiver_.id(), link.receiver);
-  const LinkSide shooter = shooter_side(link, shooting);
+  const LinkSide shooter = shooter_side(link, shooting, receiver);
   const double tolerance = config_.link_tolerance;
-  if (shooter.light <= 0.0 && shooter.variation <= 0.0) {
+  if (shooter.is_far() && !far_->may_see(shooter.id.group())) return;
+  const bool dark = shooter.is_far() ? far_->light().is_dark(shooter.id.group())
+                                     : shooter.light <= 0.0 && shooter.variation <= 0.0;
+  if (dark) {
     link.evaluated = false;
     kept.add(link, std::vector<float>(kept.stride(), 0.0f));
     return;
@@ -69,11 +90,16 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   if (receiver.is_patch() && receiver_.patches().unreachable(receiver.id.root)) return;
   const double bound = LinkEstimator::power_bound(receiver, shooter);
   const bool shooter_is_larger = shooter.radius > receiver.radius;
+  if (shooter.is_far() && must_open(receiver, shooter, bound)) {
+    open(receiver, shooter);
+    return;
+  }
 
   if (receiver.is_group() &&
       (receiver.same_node(shooter) || receiving_group_share * bound > tolerance)) {
-    split(receiver, shooter,
-          !(shooter.is_group() && shooter_is_larger) || receiver.same_node(shooter), nullptr);
+    const bool shooter_can = shooter.is_group() || shooter.is_far();
+    split(receiver, shooter, !(shooter_can && shooter_is_larger) || receiver.same_node(shooter),
+          nullptr);
     return;
   }
   if (shooter.is_group() && !receiver.is_group()) {
@@ -104,12 +130,43 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   split(receiver, shooter, split_receiver, between != nullptr ? between : among);
 }
 
+/// Where a far node surrounds or touches the receiver, no direction and no distance stands for all
+/// of it; and its far-field factor is good enough only where little is at stake, or far away.
+bool LinkRefinement::must_open(const LinkSide& receiver, const LinkSide& shooter,
+                               double bound) const {
+  const double gap = gap_m(receiver.bounds, shooter.bounds);
+  if (gap <= 0.0) return bound > surrounding_share * config_.link_tolerance;
+  return bound > config_.link_tolerance && gap < far_gap * shooter.radius;
+}
+
+/// Replaces the link to a far node by links to its two halves, or to the cluster that it is.
+void LinkRefinement::open(const LinkSide& receiver, const LinkSide& shooter) {
+  ++work_.links_refined;
+  const BuildingTree::Node& node = far_->tree().node(shooter.id.group());
+  Link link;
+  link.receiver = receiver.id;
+  if (node.leaf()) {
+    link.shooter_cluster = node.cluster;
+    link.shooter = node.polygons > 1 ? PatchId{PatchId::group_bit, 1} : PatchId{};
+    near_links_.push_back(link);
+    return;
+  }
+  for (const std::uint32_t half : {node.right, node.left}) {
+    link.shooter = {PatchId::group_bit | half, 1};
+    pending_.push_back({link, nullptr});
+  }
+}
+
 /// Puts the links between the halves of one side and the other side on the list of pending links.
 void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bool split_receiver,
                            const LinkEstimator::Between& between) {
   ++work_.links_refined;
   Link link;
   link.shooter_cluster = shooter.cluster;
+  if (!split_receiver && shooter.is_far()) {
+    open(receiver, shooter);
+    return;
+  }
   const LinkSide& side = split_receiver ? receiver : shooter;
   std::array<PatchId, 2> halves;
   if (side.is_group()) {
@@ -132,7 +189,7 @@ void LinkRefinement::split(const LinkSide& receiver, const LinkSide& shooter, bo
   }
 }
 
-/// Copies the estimate's errors, and the shooter's centroid, into the link.
+/// Copies the estimate's errors, and the shooter's centroid or direction, into the link.
 void LinkRefinement::describe(Link& link, const LinkSide& shooter, const LinkEstimate& estimate) {
   link.evaluated = true;
   link.finest = false;
@@ -143,6 +200,11 @@ void LinkRefinement::describe(Link& link, const LinkSide& shooter, const LinkEst
           ? static_cast<std::uint8_t>(255.0 * estimate.shooter_error /
                                       (estimate.receiver_error + estimate.shooter_error))
           : std::uint8_t{0};
+  if (shooter.is_far()) {
+    const Vec2 folded = fold_direction(shooter.toward);
+    link.shooter_x = static_cast<float>(folded.x);
+    link.shooter_y = static_cast<float>(folded.y);
+  }
   if (!shooter.is_patch()) return;
   link.shooter_x = static_cast<float>(shooter.shape.centroid.x);
   link.shooter_y = static_cast<float>(shooter.shape.centroid.y);

@@ -14,6 +14,9 @@ struct RefinementConfig {
   /// A link is refined where the oracle's error is above this. Power: area times irradiance, the
   /// scene's unit times m2, in the worst band.
   double link_tolerance = 0.0;
+  /// Estimate all links from far nodes anew: they were estimated with the distribution of light
+  /// over each node as it was then.
+  bool renew_far = false;
   int max_depth = 20;        ///< binary splits below a polygon
   double min_area_m2 = 0.0;  ///< no patch is split below this
   OracleKind oracle = OracleKind::error;
@@ -23,19 +26,28 @@ struct RefinementConfig {
 /// Refines the links of one receiving cluster. Splits the receiver's patches where links need it.
 class LinkRefinement {
  public:
-  LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
+  /// `far`: the receiver's view of the far field; null where all shooters are clusters and lights.
+  LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights, const FarView* far,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
   /// True where the link's error at the shooter's current light is within the tolerance or cannot
-  /// be made smaller. `shooter`: the patches of link.shooter_cluster; null for a point light.
+  /// be made smaller. `shooter`: the patches of link.shooter_cluster; null for a point light and a
+  /// far node.
   bool accurate_enough(const Link& link, std::span<const float> transport,
                        const PatchForest* shooter) const;
   /// Refines a link that is not accurate enough: appends the links that replace it to `kept`, or
   /// none where no light can arrive.
   void refine(const Link& link, const PatchForest* shooter, LinkSet& kept);
+  /// Returns the links to whole clusters that replace links to far nodes, so far; they are not
+  /// evaluated yet.
+  std::vector<Link>& near_links() { return near_links_; }
 
  private:
-  LinkSide shooter_side(const Link& link, const PatchForest* shooter) const;
+  LinkSide shooter_side(const Link& link, const PatchForest* shooter,
+                        const LinkSide& receiver) const;
+  NodeLight light_of(const Link& link, const PatchForest* shooter) const;
+  bool must_open(const LinkSide& receiver, const LinkSide& shooter, double bound) const;
+  void open(const LinkSide& receiver, const LinkSide& shooter);
   void evaluate(Link link, const LinkEstimator::Between& among, const PatchForest* shooter,
                 LinkSet& kept);
   bool can_split(const LinkSide& side) const;
@@ -45,6 +57,7 @@ class LinkRefinement {
 
   ClusterState& receiver_;
   std::span<const PointLight> lights_;
+  const FarView* far_;
   const RefinementConfig& config_;
   WorkCount& work_;
   LinkEstimator estimator_;
@@ -54,6 +67,7 @@ class LinkRefinement {
     LinkEstimator::Between among;
   };
   std::vector<Pending> pending_;
+  std::vector<Link> near_links_;
 };
 
 }  // namespace enfilade

@@ -64,6 +64,13 @@ NodeLight NodeLight::of(const PointLight& light) {
   return sent;
 }
 
+NodeLight NodeLight::of(const BuildingLight& light, std::uint32_t node, const Vec3& w) {
+  NodeLight sent;
+  sent.light = light.radiosity(node, w);
+  sent.variation = light.deviation(node);
+  return sent;
+}
+
 LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) {
   LinkSide side;
   side.forest = &forest;
@@ -71,6 +78,7 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
   side.id = id;
   if (id.is_group()) {
     const GroupNode& group = forest.groups()[id.group()];
+    side.bounds = group.bounds;
     side.center = group.bounds.center();
     side.radius = 0.5 * group.bounds.diagonal();
     side.area_m2 = group.area_m2;
@@ -83,6 +91,7 @@ LinkSide LinkSide::of(const PatchForest& forest, ClusterId cluster, PatchId id) 
   side.center = frame.at(side.shape.centroid);
   for (const Vec2& p : side.shape.vertices) {
     side.corners.push_back(frame.at(p));
+    side.bounds.add(side.corners.back());
     side.radius = std::max(side.radius, glm::length(side.corners.back() - side.center));
   }
   side.area_m2 = side.shape.area_m2;
@@ -103,8 +112,24 @@ LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
   LinkSide side;
   side.id.root = number;
   side.corners = {light.p};
+  side.bounds.add(light.p);
   side.center = light.p;
   static_cast<NodeLight&>(side) = NodeLight::of(light);
+  return side;
+}
+
+LinkSide LinkSide::of(const FarView& far, std::uint32_t node, const LinkSide& receiver) {
+  LinkSide side;
+  side.far = &far;
+  side.id = {PatchId::group_bit | node, 1};
+  side.bounds = far.tree().node(node).bounds;
+  side.center = side.bounds.center();
+  side.radius = 0.5 * side.bounds.diagonal();
+  const Vec3 d = receiver.center - side.center;
+  const double distance = glm::length(d);
+  if (distance > 2.0 * side.radius) side.toward = d / distance;
+  static_cast<NodeLight&>(side) = NodeLight::of(far.light(), node, side.toward);
+  side.area_m2 = far.tree().facing_m2(node, side.toward);
   return side;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "far_field/far_view.hpp"
 #include "geometry/polygon.hpp"
 #include "hierarchy/cluster_state.hpp"
 
@@ -17,21 +18,27 @@ struct NodeLight {
   /// Returns the light of a node; a patch that has not been made sends its ancestor's light.
   static NodeLight of(const PatchForest& forest, PatchId id);
   static NodeLight of(const PointLight& light);
+  /// Of a node of the building's tree, towards unit vector w.
+  static NodeLight of(const BuildingLight& light, std::uint32_t node, const Vec3& w);
 };
 
 /// One side of a link. A patch that its owner has not subdivided is derived from its ancestor: its
 /// shape is cut out of the ancestor's, with the ancestor's light.
 struct LinkSide : NodeLight {
-  const PatchForest* forest = nullptr;  ///< null: a point light
+  const PatchForest* forest = nullptr;  ///< null: a point light, or a far node
+  const FarView* far = nullptr;         ///< of a far node: a node of the building's tree
   ClusterId cluster;
   PatchId id;
   PatchShape shape;  ///< of a patch
   Polygon corners;   ///< of a patch in space; of a point light its place
   Vec3 center{0.0};
   double radius = 0.0;  ///< of a ball around the centre that contains the side, metres
-  double area_m2 = 0.0;
+  Box bounds;
+  double area_m2 = 0.0;  ///< of a far node: that faces the receiver
+  Vec3 toward{0.0};      ///< from a far node to the receiver; 0 where that is no single direction
 
-  bool is_light() const { return forest == nullptr; }
+  bool is_light() const { return forest == nullptr && far == nullptr; }
+  bool is_far() const { return far != nullptr; }
   bool is_group() const { return forest != nullptr && id.is_group(); }
   bool is_patch() const { return forest != nullptr && !id.is_group(); }
   const PolygonFrame& frame() const { return forest->frames()[id.root]; }
@@ -45,6 +52,8 @@ struct LinkSide : NodeLight {
   static std::uint64_t seed_of(const LinkSide& a, const LinkSide& b);
   static LinkSide of(const PatchForest& forest, ClusterId cluster, PatchId id);
   static LinkSide of(const PointLight& light, std::uint32_t number);
+  /// Returns a node of the building's tree, as the receiver sees it.
+  static LinkSide of(const FarView& far, std::uint32_t node, const LinkSide& receiver);
 };
 
 }  // namespace enfilade

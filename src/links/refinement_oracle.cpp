@@ -26,7 +26,9 @@ class ErrorOracle final : public RefinementOracle {
     const double variation_error = estimate.variation * shooter.variation;
     const double receiver_error = estimate.receiver_error * shooter.light;
     const double shooter_error = estimate.shooter_error * shooter.light + variation_error;
-    if (receiver.is_group()) return !(shooter.is_group() && shooter_is_larger);
+    const bool shoots_as_one = shooter.is_group() || shooter.is_far();
+    if (receiver.is_group()) return !(shoots_as_one && shooter_is_larger);
+    if (shooter.is_far() && (shooter_is_larger || receiver_error < shooter_error)) return false;
     if (shooter.is_group() && receiver_error < shooter_error) return false;
     return receiver_error > shooter_error ||
            (receiver_error > comparable * shooter_error && !shooter_is_larger) ||

@@ -32,6 +32,9 @@ class RoughSolution {
                           largest(surface.reflectance), largest(surface.exitance)});
       }
     }
+    for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+      if (nodes_[k].exitance > 0.0) emitters_.push_back(k);
+    }
     direct_.assign(nodes_.size(), 0.0);
     row_.resize(nodes_.size());
     rays_.assign(nodes_.size(), 0);
@@ -59,6 +62,7 @@ class RoughSolution {
   const Occluders& occluders_;
   WorkCount& work_;
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> emitters_;  ///< emitting nodes
   std::vector<double> direct_, irradiance_;
   /// Per polygon: the polygons on whose front sides its rays ended, once a ray.
   std::vector<std::vector<std::uint32_t>> row_;
@@ -84,8 +88,7 @@ void RoughSolution::emit(int rays) {
   const auto arrive = [this](const RayHit& hit, double power) {
     if (hit.any() && hit.front) direct_[hit.polygon] += power / nodes_[hit.polygon].area_m2;
   };
-  for (std::uint32_t k = 0; k < size(); ++k) {
-    if (nodes_[k].exitance <= 0.0) continue;
+  for (const std::uint32_t k : emitters_) {
     Random random(std::uint64_t{k} << 32);
     const double power = nodes_[k].area_m2 * nodes_[k].exitance / rays;
     for (int i = 0; i < rays; ++i) arrive(cast(k, (i + random.uniform()) / rays, random), power);
@@ -143,9 +146,9 @@ bool RoughSolution::sees_an_emitter(std::uint32_t polygon) const {
     if (glm::dot(node.n, light.p - node.center) > 0.0 && open(light.p, RayScene::no_polygon))
       return true;
   }
-  for (std::uint32_t k = 0; k < size(); ++k) {
+  for (const std::uint32_t k : emitters_) {
     const Node& emitter = nodes_[k];
-    if (k == polygon || emitter.exitance <= 0.0) continue;
+    if (k == polygon) continue;
     const Vec3 d = emitter.center - node.center;
     if (glm::dot(node.n, d) > 0.0 && glm::dot(emitter.n, d) < 0.0 && open(emitter.center, k))
       return true;

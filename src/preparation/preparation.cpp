@@ -38,6 +38,13 @@ std::vector<CellPiece> pieces_by_cell(std::span<const Piece> pieces, const CellC
 
 }  // namespace
 
+void find_visibility(Prepared& prepared, const VisibilityConfig& config, const Progress& progress) {
+  if (prepared.has_visibility) return;
+  report_progress(progress, "visibility", 0.6);
+  prepared.graph = visible_clusters(prepared.cells, prepared.clusters, progress, config);
+  prepared.has_visibility = true;
+}
+
 Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings& warnings,
                        std::vector<Leak>& leaks, const Progress& progress) {
   const auto start = Clock::now();
@@ -62,8 +69,12 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
   find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
   stopwatch.end_of("clusters");
-  report_progress(progress, "visibility", 0.6);
-  p.graph = visible_clusters(p.cells, p.clusters, progress, config.visibility);
+  p.has_visibility = false;
+  if (config.cluster_graph) {
+    find_visibility(p, config.visibility, progress);
+  } else {
+    p.graph = neighbour_graph(BuildingTree(p.clusters));
+  }
   stopwatch.end_of("visibility");
   merge_equal_bands(p.scene);
   p.prepare_s = std::chrono::duration<double>(Clock::now() - start).count();

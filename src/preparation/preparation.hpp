@@ -22,6 +22,9 @@ struct PrepareConfig {
   UnreachableConfig unreachable;
   ClusterConfig clusters;
   ContactConfig contacts;
+  /// Find G_cluster: all pairs of clusters that see each other. Without it, Prepared::graph joins
+  /// neighbours in the building's tree.
+  bool cluster_graph = true;
   VisibilityConfig visibility;
 };
 
@@ -37,12 +40,17 @@ struct Prepared {
   Scene scene;  ///< equal bands merged (scene/equal_bands.hpp)
   CellComplex cells;
   std::vector<Cluster> clusters;
-  ClusterGraph graph;
+  ClusterGraph graph;              ///< G_cluster, or of neighbours, by which ranks share the work
+  bool has_visibility = true;      ///< `graph` is G_cluster
   double prepare_s = 0.0;          ///< wall seconds that the preparation took
   std::vector<PrepareStep> steps;  ///< pieces, cells, clusters, visibility
   double covered_area_m2 = 0.0;    ///< of surfaces covered by coplanar ones
   Warnings warnings;               ///< what the scene gave rise to
 };
+
+/// Makes `graph` G_cluster, where it is not.
+void find_visibility(Prepared& prepared, const VisibilityConfig& config,
+                     const Progress& progress = {});
 
 /// `warnings` are those of reading the scene; the preparation's own are added, and all are kept in
 /// the result too. `leaks`: where the building is not closed. Throws InputError for a bad scene.

@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int manifest_version = 6;  // 6: figures of row sums, failures of the coarse correction
+constexpr int manifest_version = 7;  // 7: the building's hierarchy
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.
@@ -45,6 +45,7 @@ std::optional<Manifest> read_manifest(const RunLayout& layout) {
     m.iteration = json.at("iteration");
     m.clusters = json.at("clusters");
     m.basis = json.at("basis") == "linear" ? Basis::linear : Basis::constant;
+    m.hierarchy = json.at("hierarchy") == "building" ? Hierarchy::building : Hierarchy::clusters;
     m.scene_hash = hash_from_text(json.at("scene_hash").get<std::string>());
     m.finished = json.at("finished");
     m.history = json.at("history").get<std::vector<std::vector<double>>>();
@@ -70,6 +71,7 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
                                        {"iteration", m.iteration},
                                        {"clusters", m.clusters},
                                        {"basis", m.basis == Basis::linear ? "linear" : "constant"},
+                                       {"hierarchy", name_of(m.hierarchy)},
                                        {"scene_hash", hash_text(m.scene_hash)},
                                        {"finished", m.finished},
                                        {"history", history},

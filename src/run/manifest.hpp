@@ -10,6 +10,7 @@
 #include "coarse/coarse_unknowns.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "run/run_layout.hpp"
+#include "solver/building_field.hpp"
 
 namespace enfilade {
 
@@ -17,6 +18,7 @@ struct Manifest {
   int iteration = 0;  ///< the last committed one; 0 = the state before the first
   std::size_t clusters = 0;
   Basis basis = Basis::constant;
+  Hierarchy hierarchy = Hierarchy::building;
   std::uint64_t scene_hash = 0;
   bool finished = false;  ///< the run has ended
   /// Plan and figures of each iteration, as to_numbers() of solver/iteration_plan.hpp gives them.

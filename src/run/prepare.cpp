@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
-#include "run/graph_file.hpp"
 #include "run/leak_file.hpp"
 #include "run/run_layout.hpp"
 #include "run/run_mark.hpp"
@@ -26,8 +25,9 @@ std::string text_of(const std::string& path) {
 
 /// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
 /// option compiles unless it is put here too.
-std::string options_of(const PrepareConfig& config) {
-  const auto& [cells, unreachable, clusters, contacts, visibility] = config;
+std::string options_of(PrepareConfig config) {
+  if (!config.cluster_graph) config.visibility = {};  // it decides nothing then
+  const auto& [cells, unreachable, clusters, contacts, cluster_graph, visibility] = config;
   const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
   const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = unreachable;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
@@ -51,6 +51,7 @@ std::string options_of(const PrepareConfig& config) {
                                        {"cluster_pool_polygons", pool_polygons},
                                        {"contact_min_length_relative", min_contact_relative},
                                        {"contact_most", most_contacts},
+                                       {"cluster_graph", cluster_graph},
                                        {"visibility_max_passes", max_passes},
                                        {"visibility_prove_hidden", prove_hidden},
                                        {"occlusion_first_rays", first_rays},
@@ -128,10 +129,10 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   keep(to_bytes(p.cells), run_directory + "/cells.bin");
   keep(to_bytes(std::span<const Cluster>(p.clusters)), run_directory + "/clusters.bin");
   write_leaks(run_directory, leaks);
-  write_graph(p.graph, run_directory + "/graph.txt");
+  keep(to_bytes(p.graph), run_directory + "/graph.bin");
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.covered_area_m2,
-                                 p.prepare_s, p.steps, p.warnings});
+  write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.has_visibility,
+                                 p.covered_area_m2, p.prepare_s, p.steps, p.warnings});
   report_progress(progress, "visibility", 1.0);
   return p;
 }
@@ -163,7 +164,11 @@ Prepared load_prepared(const std::string& run_directory) {
   p.scene.hash = mark->scene_hash;
   p.cells = load(run_directory + "/cells.bin", complex_from_bytes);
   p.clusters = load(run_directory + "/clusters.bin", clusters_from_bytes);
-  p.graph = read_graph(run_directory + "/graph.txt");
+  p.graph = load(run_directory + "/graph.bin", graph_from_bytes);
+  if (p.graph.size() != p.clusters.size()) {
+    throw RunError(run_directory + "/graph.bin: is of other clusters; prepare the run again");
+  }
+  p.has_visibility = mark->has_visibility;
   p.prepare_s = mark->prepare_s;
   p.steps = mark->steps;
   p.covered_area_m2 = mark->covered_area_m2;
@@ -173,9 +178,14 @@ Prepared load_prepared(const std::string& run_directory) {
 
 namespace {
 
-/// A RUN whose hidden pairs were proved serves where no proof was asked for, too.
+/// A RUN with G_cluster serves where none was asked for, and one whose hidden pairs were proved
+/// where no proof was asked for.
 bool serves(const std::string& run_directory, std::uint64_t scene_hash, PrepareConfig config) {
   if (is_prepared(run_directory, scene_hash, config)) return true;
+  if (!config.cluster_graph) {
+    config.cluster_graph = true;
+    return serves(run_directory, scene_hash, config);
+  }
   if (config.visibility.prove_hidden) return false;
   config.visibility.prove_hidden = true;
   return is_prepared(run_directory, scene_hash, config);
@@ -183,17 +193,40 @@ bool serves(const std::string& run_directory, std::uint64_t scene_hash, PrepareC
 
 }  // namespace
 
+void keep_visibility(Prepared& prepared, const std::string& run_directory,
+                     const PrepareConfig& config, const Progress& progress) {
+  if (prepared.has_visibility) return;
+  find_visibility(prepared, config.visibility, progress);
+  std::optional<RunMark> mark = read_run_mark(run_directory);
+  if (!mark || !mark->prepared) return;
+  PrepareConfig with_graph = config;
+  with_graph.cluster_graph = true;
+  mark->options = options_of(with_graph);
+  mark->has_visibility = true;
+  // Between the two files the mark would not tell which graph there is.
+  RunMark unfinished = *mark;
+  unfinished.prepared = false;
+  write_run_mark(run_directory, unfinished);
+  keep(to_bytes(prepared.graph), run_directory + "/graph.bin");
+  write_run_mark(run_directory, *mark);
+}
+
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
                          const PrepareConfig& config, const Progress& progress, bool resume) {
   if (read) {
     Warnings found;
     const Scene scene = read(found);
-    if (!serves(run_directory, scene.hash, config)) {
+    PrepareConfig less = config;
+    less.cluster_graph = false;
+    if (!serves(run_directory, scene.hash, config) &&
+        !is_prepared(run_directory, scene.hash, less)) {
       if (resume) refuse_to_drop(run_directory);
       return prepare(scene, run_directory, config, found, progress);
     }
   }
-  return load_prepared(run_directory);
+  Prepared prepared = load_prepared(run_directory);
+  if (config.cluster_graph) keep_visibility(prepared, run_directory, config, progress);
+  return prepared;
 }
 
 }  // namespace enfilade

@@ -16,6 +16,9 @@ namespace enfilade {
 /// reading the scene; the warnings of the preparation are added.
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
                  Warnings& warnings, const Progress& progress = {});
+/// Finds G_cluster for a prepared RUN that has none, and keeps it there.
+void keep_visibility(Prepared& prepared, const std::string& run_directory,
+                     const PrepareConfig& config, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
 Prepared load_prepared(const std::string& run_directory);
 /// True where `run_directory` is prepared for the scene with this hash, and with this
@@ -27,9 +30,10 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
 using SceneSource = std::function<Scene(Warnings&)>;
 
 /// Reads the scene and prepares RUN for it; where RUN is prepared for it already, with this
-/// configuration or with the same one and proofs of hidden pairs, RUN is loaded as it is. `read`
-/// may be empty: RUN must be prepared then. With `resume`, a RUN that has a solution of another
-/// scene is refused (InputError), not prepared anew. The scene's warnings are in the result.
+/// configuration or with the same one and more (G_cluster, proofs of hidden pairs), RUN is loaded
+/// as it is. `read` may be empty: RUN must be prepared then. With `resume`, a RUN that has a
+/// solution of another scene is refused (InputError), not prepared anew. The scene's warnings are
+/// in the result.
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
                          const PrepareConfig& config, const Progress& progress = {},
                          bool resume = false);

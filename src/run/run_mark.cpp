@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int run_version = 2;  // 2: with the steps of the preparation
+constexpr int run_version = 3;  // 3: G_cluster only where it is asked for
 constexpr const char* name_another = "name another directory with -o";
 
 std::string mark_path(const std::string& run_directory) { return run_directory + "/run.json"; }
@@ -44,6 +44,7 @@ std::optional<RunMark> read_run_mark(const std::string& run_directory) {
     RunMark mark;
     mark.scene_hash = hash_from_text(json.at("scene_hash"));
     mark.options = json.at("options").dump();
+    mark.has_visibility = json.at("has_visibility");
     mark.covered_area_m2 = json.at("covered_area_m2");
     mark.prepare_s = json.at("prepare_s");
     for (const Json& step : json.at("steps")) {
@@ -71,6 +72,7 @@ void write_run_mark(const std::string& run_directory, const RunMark& mark) {
                      {"prepared", mark.prepared},
                      {"scene_hash", hash_text(mark.scene_hash)},
                      {"options", Json::parse(mark.options.empty() ? "{}" : mark.options)},
+                     {"has_visibility", mark.has_visibility},
                      {"covered_area_m2", mark.covered_area_m2},
                      {"prepare_s", mark.prepare_s},
                      {"steps", steps},

@@ -15,7 +15,8 @@ namespace enfilade {
 struct RunMark {
   bool prepared = false;  ///< false: it is being prepared, or was left so, or is damaged
   std::uint64_t scene_hash = 0;
-  std::string options;  ///< of the preparation, as a text to compare
+  std::string options;          ///< of the preparation, as a text to compare
+  bool has_visibility = false;  ///< Prepared::has_visibility
   double covered_area_m2 = 0.0;
   double prepare_s = 0.0;
   std::vector<PrepareStep> steps;

@@ -31,6 +31,7 @@ GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& sett
   config.flux_correction = plan.flux_correction;
   if (plan.sample) config.error_samples = error_samples(plan, area_m2);
   config.refinement.link_tolerance = plan.link_tolerance;
+  config.refinement.renew_far = plan.renew_far;
   config.refinement.max_depth = settings.max_depth;
   config.refinement.min_area_m2 = settings.min_area_m2;
   config.refinement.oracle = settings.oracle;

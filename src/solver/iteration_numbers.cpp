@@ -10,6 +10,7 @@ std::vector<double> to_numbers(const IterationPlan& plan) {
   std::vector<double> numbers = {static_cast<double>(plan.iteration),
                                  plan.link_tolerance,
                                  plan.refine ? 1.0 : 0.0,
+                                 plan.renew_far ? 1.0 : 0.0,
                                  plan.close_rows ? 1.0 : 0.0,
                                  plan.sample ? 1.0 : 0.0,
                                  static_cast<double>(plan.sample_rays),
@@ -28,6 +29,7 @@ IterationPlan next_plan_of(NumberReader& n) {
   plan.iteration = static_cast<int>(n.next());
   plan.link_tolerance = n.next();
   plan.refine = n.next() != 0.0;
+  plan.renew_far = n.next() != 0.0;
   plan.close_rows = n.next() != 0.0;
   plan.sample = n.next() != 0.0;
   plan.sample_rays = static_cast<int>(n.next());

@@ -124,12 +124,22 @@ State next_state(std::span<const IterationSummary> history, const Observation& s
   return seen.few_links_refined ? State::converge : State::refine_links;
 }
 
+/// Returns the factor of the tolerance at which there would be patch_links links; 0 = no limit.
+double factor_to_patch_links(const IterationSummary& last, const PlanConfig& config) {
+  if (config.patch_links == 0) return 0.0;
+  return std::pow(static_cast<double>(last.figures.links) / static_cast<double>(config.patch_links),
+                  config.weights.link_order);
+}
+
 /// Returns the next finer tolerance: the error falls with a power of the tolerance, and the step is
 /// bounded both ways.
-double tightened(double tolerance, double error, const PlanConfig& config) {
+double tightened(const IterationSummary& last, double error, const PlanConfig& config) {
   const PlanWeights& w = config.weights;
-  const double factor = std::pow(w.aim_share * config.target_error / error, w.tolerance_order);
-  return tolerance * std::clamp(factor, w.most_tightening, w.least_tightening);
+  double factor = std::pow(w.aim_share * config.target_error / error, w.tolerance_order);
+  const bool for_patches_alone =
+      links_error(last.error, false) <= w.fine_share * config.target_error;
+  if (for_patches_alone) factor = std::max(factor, factor_to_patch_links(last, config));
+  return last.plan.link_tolerance * std::clamp(factor, w.most_tightening, w.least_tightening);
 }
 
 Observation observe(std::span<const IterationSummary> history, const IterationPlan& plan,
@@ -149,7 +159,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   // The links' error can be measured before the iterations have converged.
   seen.good_enough_to_sample =
       bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
-  const bool hold_patches = (config.patch_links == 0 || last.figures.links <= config.patch_links) &&
+  const bool hold_patches = factor_to_patch_links(last, config) <= w.least_tightening &&
                             !refinement_stagnates(history, true, w);
   seen.links_error = links_error(last.error, hold_patches);
   return seen;
@@ -168,7 +178,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   const IterationSummary& last = history.back();
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
-  plan.finished = plan.converged = plan.sample = false;
+  plan.finished = plan.converged = plan.sample = plan.renew_far = false;
   plan.received_power = last.figures.received_power;
   const bool light_is_everywhere =
       relative(last.figures.change_power, last.figures.received_power) <
@@ -191,6 +201,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);
   switch (next_state(history, seen, config)) {
     case State::distribute:
+      plan.renew_far = true;
+      break;
     case State::refine_links:
     case State::converge:
       break;
@@ -199,8 +211,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
       plan.sample_rays = rays_of_a_sample(config);
       break;
     case State::tighten_tolerance:
-      plan.link_tolerance = tightened(plan.link_tolerance, seen.links_error, config);
-      plan.refine = true;
+      plan.link_tolerance = tightened(last, seen.links_error, config);
+      plan.refine = plan.renew_far = true;
       break;
     case State::finish:
       plan.finished = true;

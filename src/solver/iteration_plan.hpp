@@ -16,6 +16,7 @@ struct IterationPlan {
   int iteration = 1;            ///< the one that the plan is for; 0 is the state before the first
   double link_tolerance = 0.0;  ///< GatherConfig::link_tolerance
   bool refine = true;
+  bool renew_far = true;        ///< RefinementConfig::renew_far
   bool close_rows = false;      ///< GatherConfig::close_rows
   bool sample = false;          ///< sample the error: ErrorSamples
   int sample_rays = 0;          ///< per sampled point
@@ -70,6 +71,10 @@ struct PlanWeights {
   double fine_share = 0.9, aim_share = 0.8;
   /// Bounds of the factor by which one step tightens the tolerance.
   double most_tightening = 1.0 / 32.0, least_tightening = 0.7;
+  /// The number of links grows with the tolerance to the power of -1 / link_order (measured: 1.3 to
+  /// 1.9). Where only values read off patches need finer links, a step does not aim beyond
+  /// patch_links.
+  double link_order = 1.5;
   /// Refinement stagnates where a tolerance finer by much_finer brought less than stagnation_share
   /// of the order that is expected.
   double much_finer = 1.0 / 8.0, stagnation_share = 0.5;

@@ -22,6 +22,7 @@ class Solver {
         config_(config),
         plan_config_(plan_config(config, prepared.scene, prepared.clusters)),
         unknowns_(config.method.unknowns(prepared.clusters)),
+        field_(prepared, unknowns_, config.hierarchy),
         bands_(static_cast<std::size_t>(prepared.scene.bands)) {
     WorkCount work;
     const InitialClusters initial(prepared.scene, prepared.clusters, occluders, unknowns_,
@@ -46,8 +47,8 @@ class Solver {
  private:
   /// Runs one iteration, with its coarse correction, and returns the plan of the next.
   IterationPlan iterate(const IterationPlan& plan);
-  IterationFigures gather(ClusterState& receiver, std::span<const ClusterState> light,
-                          const GatherConfig& config, CoarseSystem& coarse);
+  GatherResult gather(ClusterState& receiver, std::span<const ClusterState> light,
+                      const GatherConfig& config, CoarseSystem& coarse);
   void correct(const Correction& correction) {
     for (ClusterState& state : solution_.clusters) {
       state.correct(unknowns_.of(state.id(), correction.changes, bands_));
@@ -60,20 +61,22 @@ class Solver {
   const SolverConfig& config_;
   PlanConfig plan_config_;
   CoarseUnknowns unknowns_;
+  BuildingField field_;
   std::size_t bands_;
   double area_m2_ = 0.0;
   Solution solution_;
   Clock::time_point start_ = Clock::now();
 };
 
-IterationFigures Solver::gather(ClusterState& receiver, std::span<const ClusterState> light,
-                                const GatherConfig& config, CoarseSystem& coarse) {
-  const GatherResult result = enfilade::gather(
-      receiver, prepared_.graph.visible_to(receiver.id()),
+GatherResult Solver::gather(ClusterState& receiver, std::span<const ClusterState> light,
+                            const GatherConfig& config, CoarseSystem& coarse) {
+  std::vector<ClusterId> listed;
+  GatherResult result = enfilade::gather(
+      receiver, field_.shooters(receiver.id(), listed),
       [light](ClusterId id) -> const ClusterState& { return light[id.index()]; },
       prepared_.scene.lights, occluders_, config);
   if (config.coarse_row) coarse.add(receiver.id(), result.coarse, unknowns_);
-  return result.figures;
+  return result;
 }
 
 IterationPlan Solver::iterate(const IterationPlan& plan) {
@@ -85,14 +88,23 @@ IterationPlan Solver::iterate(const IterationPlan& plan) {
   }
   CoarseSystem coarse(unknowns_.count, bands_);
   IterationFigures figures;
+  std::vector<ClusterLight> lights;
   for (ClusterState& receiver : solution_.clusters) {
-    add(figures, gather(receiver, jacobi ? committed : solution_.clusters, config, coarse));
+    GatherResult result = gather(receiver, jacobi ? committed : solution_.clusters, config, coarse);
+    add(figures, result.figures);
+    lights.push_back(std::move(result.light));
   }
   std::optional<Correction> correction;
   if (config_.method.coarse_correction) {
     correction = correction_of(coarse, unknowns_);
     if (!correction->failed) correct(*correction);
   }
+  if (field_.has_tree()) {
+    for (const ClusterState& state : solution_.clusters) {
+      field_.set(state.id(), lights[state.id().index()]);
+    }
+  }
+  field_.end_iteration(correction ? correction->changes : std::vector<double>{});
   solution_.history.push_back(
       summary_of(plan, std::move(figures), correction ? &*correction : nullptr, time_s()));
   return end_iteration(solution_.history, plan_config_);

@@ -7,6 +7,7 @@
 
 #include "occluders/occluders.hpp"
 #include "preparation/preparation.hpp"
+#include "solver/building_field.hpp"
 #include "solver/gather_plan.hpp"
 #include "solver/iteration_end.hpp"
 
@@ -18,10 +19,11 @@ struct SolverConfig {
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
   /// With more links than this, target_error does not apply to values read off patches; 0 = no
   /// limit.
-  std::uint64_t patch_links = 500000;
+  std::uint64_t patch_links = 200000;
   int max_iterations = 200;
   GatherSettings gather;
   IterationMethod method;
+  Hierarchy hierarchy = Hierarchy::building;
 };
 
 /// Returns the PlanConfig of a solve, from the solver's configuration and the scene's emitted

@@ -4,9 +4,16 @@
 #include <algorithm>
 #include <string>
 
+#include "base/byte_stream.hpp"
 #include "base/error.hpp"
 
 namespace enfilade {
+namespace {
+
+constexpr std::string_view mark = "enfilade-graph-2";
+
+}  // namespace
+
 ClusterGraph::ClusterGraph(std::size_t clusters,
                            std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs) {
   for (auto& [a, b] : pairs) {
@@ -34,6 +41,44 @@ std::vector<ClusterId> ClusterGraph::visible_to(ClusterId receiver) const {
   std::vector<ClusterId> visible(others.begin(), others.end());
   visible.insert(std::lower_bound(visible.begin(), visible.end(), receiver), receiver);
   return visible;
+}
+
+ClusterGraph neighbour_graph(const BuildingTree& tree, std::size_t reach) {
+  const std::span<const ClusterId> clusters = tree.clusters();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    for (std::size_t j = i + 1; j < std::min(clusters.size(), i + 1 + reach); ++j) {
+      pairs.emplace_back(clusters[i].value, clusters[j].value);
+    }
+  }
+  return {clusters.size(), std::move(pairs)};
+}
+
+std::string to_bytes(const ClusterGraph& graph) {
+  ByteWriter out;
+  out.put_mark(mark);
+  out.put(static_cast<std::uint64_t>(graph.size()));
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const std::span<const std::uint32_t> row = graph.neighbours(i);
+    const auto later = std::upper_bound(row.begin(), row.end(), static_cast<std::uint32_t>(i));
+    out.put_all(std::vector<std::uint32_t>(later, row.end()));
+  }
+  return out.text();
+}
+
+ClusterGraph graph_from_bytes(std::string_view bytes) {
+  ByteReader in(bytes, "graph");
+  in.expect(mark);
+  const std::size_t clusters = in.get_count(sizeof(std::uint64_t));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < clusters; ++i) {
+    for (const std::uint32_t j : in.get_all<std::uint32_t>()) {
+      if (j >= clusters) throw RunError("a cluster that there is not");
+      pairs.emplace_back(i, j);
+    }
+  }
+  in.expect_end();
+  return {clusters, std::move(pairs)};
 }
 
 bool ClusterGraph::has_edge(std::size_t i, std::size_t j) const {

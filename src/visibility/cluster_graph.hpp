@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "cells/partition/cell_complex.hpp"
+#include "clusters/building_tree.hpp"
 #include "clusters/cluster.hpp"
 #include "visibility/occlusion.hpp"
 
@@ -35,6 +38,16 @@ class ClusterGraph {
   std::vector<std::size_t> offsets_;
   std::vector<std::uint32_t> targets_;
 };
+
+/// Joins each cluster with the `reach` next ones in the order of the building's tree: a graph that
+/// keeps what lies together together, of a size that grows with the clusters. Ranks share a
+/// building by it where nothing asks for G_cluster.
+ClusterGraph neighbour_graph(const BuildingTree& tree, std::size_t reach = 8);
+
+/// Returns the graph as bytes (versioned, in this machine's byte order), and back. Throws RunError
+/// where the bytes are no such graph.
+std::string to_bytes(const ClusterGraph& graph);
+ClusterGraph graph_from_bytes(std::string_view bytes);
 
 /// The effort spent on visibility, before coarser answers that are conservative as well are taken.
 struct VisibilityConfig {

@@ -48,18 +48,21 @@ class Search {
     for (const SourcePolygon& s : source) all_.push_back(&s);
   }
 
-  void run(CellId start) {
+  bool run(CellId start, std::uint64_t most_doorways) {
     paths_.emplace_back();
     steps_.push_back({start, all_});
+    std::uint64_t tried = 0;
     while (!steps_.empty()) {
       Step& here = steps_.back();
       const std::span<const Doorway> doorways = doorways_.of(here.cell);
       if (here.next_doorway < doorways.size()) {
+        if (tried++ >= most_doorways) return false;
         try_doorway(doorways[here.next_doorway++]);
       } else {
         go_back();
       }
     }
+    return true;
   }
 
  private:
@@ -179,10 +182,10 @@ DoorwayMap::DoorwayMap(const CellComplex& complex)
   }
 }
 
-void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
+bool search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
                     int max_passes, const std::function<void(const CellView&)>& visit,
-                    const IsHidden& is_hidden) {
-  Search(doorways, source, max_passes, visit, is_hidden).run(start);
+                    const IsHidden& is_hidden, std::uint64_t most_doorways) {
+  return Search(doorways, source, max_passes, visit, is_hidden).run(start, most_doorways);
 }
 
 }  // namespace enfilade

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -69,9 +70,11 @@ using IsHidden = std::function<bool(const WindowView&)>;
 /// the source and the doorway itself limit the view beyond, which covers every further sequence
 /// through it. The cost is therefore bounded by the number of doorways within reach, and no line is
 /// ever left out. `is_hidden` is called before `visit`. Memory grows with the length of the
-/// sequence, the call stack does not.
-void search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
+/// sequence, the call stack does not. Returns false where it gave up after `most_doorways` doorways
+/// that were tried: cells may then be missing.
+bool search_portals(const DoorwayMap& doorways, CellId start, std::span<const SourcePolygon> source,
                     int max_passes, const std::function<void(const CellView&)>& visit,
-                    const IsHidden& is_hidden = {});
+                    const IsHidden& is_hidden = {},
+                    std::uint64_t most_doorways = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace enfilade

@@ -89,7 +89,7 @@ class OwnFiles(InRun):
         (self.run_directory / "pictures/storey-1-assignment.svg").write_text("of the old solution")
         self.assertEqual(enfilade("prepare", ROOM, "-o", self.run_directory).returncode, 0)
         self.assertEqual(sorted(p.name for p in self.run_directory.iterdir()),
-                         ["cells.bin", "clusters.bin", "graph.txt", "leaks.json", "notes.txt", "pictures", "run.json",
+                         ["cells.bin", "clusters.bin", "graph.bin", "leaks.json", "notes.txt", "pictures", "run.json",
                           "scene.json"])
         self.assertEqual(sorted(p.name for p in (self.run_directory / "pictures").iterdir()),
                          ["storey-1-cells.png", "storey-1-cells.svg"])
@@ -137,7 +137,7 @@ class Damage(InRun):
                 self.assertTrue((self.run_directory / "common/manifest.json").exists())
 
     def test_files_that_are_cut_off_are_named(self):
-        for name in ("clusters.bin", "cells.bin", "graph.txt"):
+        for name in ("clusters.bin", "cells.bin", "graph.bin"):
             path = self.run_directory / name
             whole = path.read_bytes()
             path.write_bytes(whole[:len(whole) // 2])

@@ -42,6 +42,7 @@ void solve_rooms_by_jacobi(Context& context);
 void solve_in_little_memory(Context& context);
 void replay_rooms(Context& context);
 void schemes_give_the_sequential_light(Context& context);
+void far_light_is_the_sequential_one(Context& context);
 void queue_of_clients(Context& context);
 void long_message(Context& context);
 

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
       {"solve_in_little_memory", solve_in_little_memory},
       {"replay_rooms", replay_rooms},
       {"schemes_give_the_sequential_light", schemes_give_the_sequential_light},
+      {"far_light_is_the_sequential_one", far_light_is_the_sequential_one},
       {"queue_of_clients", queue_of_clients}};
   try {
     if (argc < 3) throw std::runtime_error("usage: spmd_tests NAME DIRECTORY [--resume]");

@@ -1,6 +1,7 @@
 #include "rooms.hpp"
 
 #include <filesystem>
+#include <string>
 
 #include "scene_file/scene_io.hpp"
 #include "schemes/protocol/prepare_on_root.hpp"
@@ -68,6 +69,22 @@ Scene lit_rooms() {
   }
   add_quad(scene, "lamp", {0.1, 100.0}, {2, 1.5, 2.45}, {2, 2.5, 2.45}, {3, 2.5, 2.45},
            {3, 1.5, 2.45});
+  return scene;
+}
+
+Scene lit_hall() {
+  Scene scene;
+  add_box(scene, "hall", {0.6}, {0, 0, 0}, {24, 24, 4}, true);
+  for (int i = 0; i < 144; ++i) {
+    const Vec3 lo(2.0 * (i % 12) + 0.5, 2.0 * (i / 12) + 0.6, 0.1);
+    add_box(scene, "crate " + std::to_string(i), {0.3 + 0.05 * (i % 7)}, lo,
+            lo + Vec3(0.9, 0.6, 0.5 + 0.1 * (i % 5)), false);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at(5.0 + 12.0 * (i % 2), 5.0 + 12.0 * (i / 2), 3.9);
+    add_quad(scene, "lamp", {0.1, 100.0}, at, at + Vec3(0, 1, 0), at + Vec3(1, 1, 0),
+             at + Vec3(1, 0, 0));
+  }
   return scene;
 }
 

@@ -16,6 +16,8 @@ Scene furnace();
 /// The same rooms, lit by a lamp below the ceiling of one of them; each side has a reflectance of
 /// its own.
 Scene lit_rooms();
+/// A hall with 144 crates, each a cluster of its own, below four lamps.
+Scene lit_hall();
 
 /// The scene, prepared in RUN; with --resume, what is there stays. All ranks call it.
 Prepared prepared_in(Context& context, const std::string& run, const Scene& scene);

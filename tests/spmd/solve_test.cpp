@@ -156,27 +156,21 @@ void solve_in_little_memory(Context& context) {
   });
 }
 
-/// By Jacobi's method the light does not depend on who gathers when: each scheme gives the
-/// sequential solver's light to rounding, in as many iterations and with as many links.
-void schemes_give_the_sequential_light(Context& context) {
-  const std::string run = context.directory + "/RUN";
-  const Prepared prepared = prepared_in(context, run, lit_rooms());
-  SolverConfig sequential;
-  sequential.target_error = 0.05;
-  sequential.method.jacobi = true;
-  Solution expected;
-  context.communicator.on_root(
-      [&] { expected = solve_sequentially(prepared, Occluders(prepared.clusters), sequential); });
-  for (const Scheme scheme : {Scheme::spmd, Scheme::master_slave, Scheme::replicated}) {
-    SolveConfig config;
-    config.run_directory = run;
-    config.target_error = sequential.target_error;
+namespace {
+
+/// Solves the prepared scene by each of the schemes, and compares with the sequential solver.
+void compare_with_sequential(Context& context, const Prepared& prepared, const SolveConfig& asked,
+                             std::initializer_list<Scheme> schemes) {
+  for (const Scheme scheme : schemes) {
+    SolveConfig config = asked;
     config.method.jacobi = true;
     config.scheme = scheme;
+    config.hierarchy = config.topmost();
     const RunRecord record = solve(config, prepared, context.communicator, context.machine);
     context.communicator.on_root([&] {
+      const Solution expected = solve_sequentially(prepared, Occluders(prepared.clusters), config);
       const auto want = mean_radiosities(expected.clusters);
-      const auto got = mean_radiosities(read_solution(run));
+      const auto got = mean_radiosities(read_solution(config.run_directory));
       double brightest = 0.0;
       for (const double b : want) brightest = std::max(brightest, b);
       for (std::size_t i = 0; i < want.size(); ++i) {
@@ -193,6 +187,29 @@ void schemes_give_the_sequential_light(Context& context) {
                  std::to_string(last.error.total()));
     });
   }
+}
+
+}  // namespace
+
+/// By Jacobi's method the light does not depend on who gathers when: each scheme gives the
+/// sequential solver's light to rounding, in as many iterations and with as many links.
+void schemes_give_the_sequential_light(Context& context) {
+  SolveConfig config;
+  config.run_directory = context.directory + "/RUN";
+  config.target_error = 0.05;
+  compare_with_sequential(context, prepared_in(context, config.run_directory, lit_rooms()), config,
+                          {Scheme::spmd, Scheme::master_slave, Scheme::replicated});
+}
+
+/// The same where far groups of clusters shoot as one, and their light goes round with the token.
+void far_light_is_the_sequential_one(Context& context) {
+  SolveConfig config;
+  config.run_directory = context.directory + "/RUN";
+  config.target_error = 0.2;
+  const Prepared prepared = prepared_in(context, config.run_directory, lit_hall());
+  SPMD_CHECK(BuildingField::has_tree(config.hierarchy, prepared.clusters.size()),
+             std::to_string(prepared.clusters.size()));
+  compare_with_sequential(context, prepared, config, {Scheme::spmd});
 }
 
 /// A replay goes through the same moves as the run that it was recorded from, with the coarse

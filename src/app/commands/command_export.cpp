@@ -25,6 +25,12 @@ struct ExportOptions {
   std::string run, output;
 };
 
+Prepared with_visibility(const std::string& run, const Progress& progress) {
+  Prepared prepared = load_prepared(run);
+  find_visibility(prepared, {}, progress);
+  return prepared;
+}
+
 void run_export(const ExportOptions& options, const Console& console) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (extension != ".glb" && extension != ".json") {
@@ -34,7 +40,7 @@ void run_export(const ExportOptions& options, const Console& console) {
   }
   check_output_file(options.output);
   const std::string content = extension == ".json"
-                                  ? graph_json(load_prepared(options.run))
+                                  ? graph_json(with_visibility(options.run, console.progress()))
                                   : solution_glb(SolvedRun(options.run).solved_scene());
   write_file_atomically(options.output, content);
   TextTable table(options.output);

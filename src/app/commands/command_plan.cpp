@@ -135,23 +135,24 @@ std::vector<Rank> chosen_owners(const PlanOptions& options, const Prepared& prep
   return owner;
 }
 
-PlanSubject chosen_subject(const PlanOptions& options, const Building& building,
-                           const Prepared& prepared) {
+PlanSubject chosen_subject(const PlanOptions& options, const Building& building, Prepared& prepared,
+                           const Progress& progress) {
   const std::string subject = options.subject();
   if (subject == "assignment")
     return assignment_subject(building, chosen_owners(options, prepared));
   if (subject == "cells") return cells_subject(building);
   const CellId from = chosen_cell(options.visible_from, prepared.cells);
+  find_visibility(prepared, {}, progress);
   return visible_subject(building,
                          visible_set(prepared.cells, prepared.clusters, prepared.graph, from));
 }
 
 void run_plan(const PlanOptions& options, const Console& console) {
   check(options);
-  const Prepared prepared = load_prepared(options.run);
+  Prepared prepared = load_prepared(options.run);
   const Occluders occluders(prepared.clusters);
   const Building building{prepared.cells, prepared.clusters, occluders};
-  const PlanSubject subject = chosen_subject(options, building, prepared);
+  const PlanSubject subject = chosen_subject(options, building, prepared, console.progress());
   const std::vector<Storey> all = storeys(building);
   const int count = static_cast<int>(all.size());
   if (options.storey > count) {

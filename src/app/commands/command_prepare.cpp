@@ -14,15 +14,17 @@ namespace enfilade {
 namespace {
 
 constexpr SubcommandText help_text{
-    "prepare", "Cut a scene into cells and clusters, and find who can see whom",
+    "prepare", "Cut a scene into cells and clusters: what solve starts from",
     "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
-    "solve does this by itself where it has not been done, with --no-proof: the proofs pay where "
-    "it makes millions of links. One rank works, whatever mpirun starts."};
+    "solve does this by itself where it has not been done. One rank works, whatever mpirun "
+    "starts. Which clusters see each other is found where --hierarchy clusters, export or plan "
+    "ask for it."};
 
 struct PrepareOptions {
   std::string scene, run;
   bool pictures = true;
   bool prove_hidden = true;
+  std::string hierarchy = "building";
 };
 
 void run_prepare(const PrepareOptions& options, const Console& console) {
@@ -30,6 +32,7 @@ void run_prepare(const PrepareOptions& options, const Console& console) {
   const Scene scene = read_scene_or_model(options.scene, warnings);
   PrepareConfig config;
   config.visibility.prove_hidden = options.prove_hidden;
+  config.cluster_graph = options.hierarchy == "clusters" || !options.prove_hidden;
   const Prepared prepared = prepare(scene, options.run, config, warnings, console.progress());
   remove_run_outputs(options.run);  // of the solution that was dropped
   console.warnings(warnings);
@@ -47,7 +50,7 @@ void run_prepare(const PrepareOptions& options, const Console& console) {
   table.add("cells", with_thousands(prepared.cells.open_cells()));
   table.add("portals", with_thousands(prepared.cells.portals().size()));
   table.add("clusters", with_thousands(prepared.clusters.size()));
-  table.add("visible pairs", with_thousands(prepared.graph.edges()));
+  if (prepared.has_visibility) table.add("visible pairs", with_thousands(prepared.graph.edges()));
   add_prepare_cost(table, prepared);
   console.print(table.text());
 }
@@ -56,9 +59,13 @@ void add_options(CLI::App& sub, PrepareOptions& o) {
   sub.add_option("scene", o.scene, "Scene file (JSON, or a model that import takes)")->required();
   sub.add_option("-o,--output", o.run, "RUN directory to fill; a solution in it is dropped")
       ->required();
+  sub.add_option("--hierarchy", o.hierarchy,
+                 "building: for solve's default; clusters: find all pairs of clusters that may see "
+                 "each other, too (G_cluster), for 'solve RUN --hierarchy clusters'")
+      ->check(CLI::IsMember({"building", "clusters"}));
   sub.add_flag("!--no-proof", o.prove_hidden,
-               "Keep pairs of clusters that could be proved hidden by what stands between: several "
-               "times as fast, up to twice the pairs, which 'solve RUN' then has to look at");
+               "Find the pairs of clusters, and keep those that could be proved hidden by what "
+               "stands between: several times as fast, up to twice the pairs");
   sub.add_flag("!--no-pictures", o.pictures, "Draw no plans of the storeys into RUN/pictures");
 }
 

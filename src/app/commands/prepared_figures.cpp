@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "visibility/cell_sights.hpp"
+
 namespace enfilade {
 
 namespace {
@@ -26,10 +28,18 @@ std::size_t cell_pairs(const CellComplex& complex) {
   const auto open = [&](CellId cell) {
     return complex.cells()[cell.index()].kind != CellKind::solid;
   };
-  const auto seen = visible_cells(complex);
-  return static_cast<std::size_t>(std::ranges::count_if(seen, [&](const auto& pair) {
-    return pair.first != pair.second && open(pair.first) && open(pair.second);
-  }));
+  const CellSights sights(complex, {});
+  std::size_t pairs = 0;
+  for (const Cell& cell : complex.cells()) {
+    if (!open(cell.id)) continue;
+    for (const CellId other : sights.seen_from(cell.id)) {
+      const std::vector<CellId>& back = sights.seen_from(other);
+      if (cell.id < other && open(other) && std::binary_search(back.begin(), back.end(), cell.id)) {
+        ++pairs;
+      }
+    }
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -55,8 +65,10 @@ void add_prepared_figures(TextTable& table, const Prepared& prepared) {
             fmt::format("{:.1f} on average, {} at most", each(polygons), most));
   table.add("cells that see each other",
             pairs(cell_pairs(prepared.cells), prepared.cells.open_cells()));
-  table.add("clusters that see each other", pairs(edges, n));
-  table.add("visible from a cluster", fmt::format("{:.1f} clusters on average", each(2 * edges)));
+  if (prepared.has_visibility) {
+    table.add("clusters that see each other", pairs(edges, n));
+    table.add("visible from a cluster", fmt::format("{:.1f} clusters on average", each(2 * edges)));
+  }
   table.add("covered area", fmt::format("{:.4g} m2", prepared.covered_area_m2));
   table.add("tolerance", fmt::format("{:.3g} m", prepared.cells.tolerance_m()));
 }

@@ -1,6 +1,11 @@
 #include "app/outputs/solved_run.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
 #include "base/error.hpp"
+#include "base/usable_cores.hpp"
 #include "run/history.hpp"
 #include "run/solution.hpp"
 #include "scene/equal_bands.hpp"
@@ -33,16 +38,25 @@ ProbeMethod probe_method(const std::string& name) {
 
 std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
                                     ProbeMethod method, const Progress& progress) {
-  std::vector<Spectrum> answers;
-  answers.reserve(probes.size());
-  for (const Probe& probe : probes) {
-    answers.push_back(
-        in_bands_of_file(run.prepared().scene, method == ProbeMethod::gather
-                                                   ? run.gather().irradiance(probe.p, probe.n)
-                                                   : run.gather().from_patches(probe.p, probe.n)));
-    report_progress(progress, "probe",
-                    static_cast<double>(answers.size()) / static_cast<double>(probes.size()));
-  }
+  std::vector<Spectrum> answers(probes.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](bool reports) {
+    for (std::size_t i = next++; i < probes.size(); i = next++) {
+      const Probe& probe = probes[i];
+      answers[i] =
+          in_bands_of_file(run.prepared().scene, method == ProbeMethod::gather
+                                                     ? run.gather().irradiance(probe.p, probe.n)
+                                                     : run.gather().from_patches(probe.p, probe.n));
+      if (!reports) continue;
+      report_progress(progress, "probe",
+                      static_cast<double>(i + 1) / static_cast<double>(probes.size()));
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int t = 1; t < std::min(usable_cores(), static_cast<int>(probes.size())); ++t)
+    others.emplace_back(work, false);
+  work(true);
+  others.clear();
   return answers;
 }
 

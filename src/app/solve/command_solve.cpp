@@ -79,6 +79,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   Warnings warnings;
   PrepareConfig prepare_config;  // proofs of hidden pairs pay where a solve makes millions of links
   prepare_config.visibility.prove_hidden = false;
+  prepare_config.cluster_graph = config.topmost() == Hierarchy::clusters;
   Prepared prepared =
       prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
                       prepare_config, warnings, console.progress(), config.resume);

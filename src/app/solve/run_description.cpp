@@ -13,6 +13,7 @@ void describe_strategies(RunRecord& record, const SolveConfig& config) {
   record.set("assignment", name_of(config.assignment));
   record.set("order", name_of(config.order));
   record.set("iteration", config.method.jacobi ? "jacobi" : "hybrid");
+  record.set("hierarchy", name_of(config.topmost()));
   record.set("steal", config.steal);
   record.set("memory_manager", name_of(config.memory_manager));
   record.set("memory_bytes", config.memory_bytes);

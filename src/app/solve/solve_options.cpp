@@ -34,7 +34,7 @@ constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
-    "--resume",       "--patch-links"};
+    "--resume",       "--patch-links",    "--hierarchy"};
 
 Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
@@ -93,6 +93,12 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   group.add("--visibility", o.visibility,
             "How links are tested: exact (cut against the few polygons between) or rays alone",
             CLI::IsMember({"exact", "rays"}));
+  group.add(
+      "--hierarchy", o.hierarchy,
+      "Where links start: building (far rooms and groups of things shoot as one, visibility "
+      "is asked where light is at stake) or clusters (one link or more for each pair of "
+      "clusters that may see each other, as in the paper, and with the schemes other than spmd)",
+      CLI::IsMember({"building", "clusters"}));
   group.add("--max-iterations", o.max_iterations, "Give up after so many iterations",
             CLI::Range(1, 1000000));
 }
@@ -222,6 +228,7 @@ SolveConfig SolveOptions::config() const {
   config.order = tour_order(order);
   config.method.jacobi = iteration == "jacobi";
   config.steal = !no_steal;
+  config.hierarchy = hierarchy == "clusters" ? Hierarchy::clusters : Hierarchy::building;
   config.method.coarse_correction = !no_correction;
   config.resume = resume;
   config.max_iterations = max_iterations;

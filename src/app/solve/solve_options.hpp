@@ -21,7 +21,7 @@ struct SolveOptions {
   std::string basis = "linear", scheme = "spmd", assignment = "kmeans",
               order = "travelling-salesman";
   std::string oracle = "error", visibility = "exact";
-  std::string iteration = "hybrid";
+  std::string iteration = "hybrid", hierarchy = "building";
   std::string memory, memory_manager = "own", local_directory, cost_model;
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;

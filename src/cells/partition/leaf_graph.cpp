@@ -52,12 +52,14 @@ double LeafGroup::open_to(std::uint32_t other) const {
 }
 
 double LeafGroup::largest_opening() const {
+  if (largest_opening_m2 >= 0.0) return largest_opening_m2;
   std::map<PlaneSide, double> by_side;
   for (const auto& [other, sides] : contacts) {
     for (const auto& [side, contact] : sides) by_side[side] += contact.open;
   }
   double most = 0.0;
   for (const auto& [side, open] : by_side) most = std::max(most, open);
+  largest_opening_m2 = most;
   return most;
 }
 
@@ -125,6 +127,7 @@ void LeafGraph::join_contacts(std::uint32_t g, std::uint32_t h) {
   }
   to.contacts.erase(h);
   from.contacts.erase(g);
+  to.forget_largest_opening();  // a third group's openings stay as they are, to another group
   for (const auto& [other, sides] : from.contacts) {
     auto& there = groups_[other].contacts;
     for (const auto& [side, contact] : sides) {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/random.hpp"
+#include "base/usable_cores.hpp"
 #include "final_gather/point_gather.hpp"
 #include "geometry/sampling.hpp"
 #include "report/pictures/smooth_light.hpp"
@@ -71,15 +72,22 @@ class Painter {
       Random random(config_.seed * 0x9E3779B97F4A7C15ull + at);
       const double shift_x = random.uniform(), shift_y = random.uniform();
       Gathered gathered;
-      for (int s = 0; s < config_.samples; ++s) {
+      std::uint32_t first = RayScene::no_polygon;
+      int samples = 0;
+      while (samples < config_.samples) {
         // The R2 sequence (Roberts 2018) covers a pixel evenly with any number of samples.
-        const double i = s + 0.5;
+        const double i = samples + 0.5;
         const double dx = std::fmod(shift_x + i * 0.7548776662466927, 1.0);
         const double dy = std::fmod(shift_y + i * 0.5698402909980532, 1.0);
-        add(lens_.ray(2.0 * (x + dx) / config_.width - 1.0, 1.0 - 2.0 * (y + dy) / config_.height),
+        const std::uint32_t seen = add(
+            lens_.ray(2.0 * (x + dx) / config_.width - 1.0, 1.0 - 2.0 * (y + dy) / config_.height),
             std::fmod(shift_x + shift_y + i * 0.6180339887498949, 1.0), image.pixels[at], gathered);
+        ++samples;
+        // Two samples of one polygon: no edge crosses the pixel, most likely.
+        if (samples == 1) first = seen;
+        if (samples == 2 && seen == first) break;
       }
-      scale(image.pixels[at], 1.0f / static_cast<float>(config_.samples));
+      scale(image.pixels[at], 1.0f / static_cast<float>(samples));
     }
   }
 
@@ -121,15 +129,17 @@ class Painter {
     return gathered.emplace_back(polygon, gather_->irradiance(p, n)).second;
   }
 
-  void add(Ray ray, double turn, LightImage::Pixel& pixel, Gathered& gathered) const {
-    if (camera_.cut_above_m && !go_to_cut(ray)) return;
+  /// Adds a sample; returns the polygon that it shows, none for the sky and the inside of a solid.
+  std::uint32_t add(Ray ray, double turn, LightImage::Pixel& pixel, Gathered& gathered) const {
+    constexpr std::uint32_t none = RayScene::no_polygon;
+    if (camera_.cut_above_m && !go_to_cut(ray)) return none;
     std::uint32_t skip = RayScene::no_polygon;
     for (int culled = 0; culled < 256; ++culled) {
       const Met met = first_seen(ray, skip);
-      if (!met.hit.any()) return;
+      if (!met.hit.any()) return none;
       if (camera_.cut_above_m && culled == 0 && !met.hit.front && inside_solid(ray.from)) {
         pixel.section += 1.0f;
-        return;
+        return none;
       }
       if (camera_.cut_above_m && (!met.hit.front || outer(met.hit.polygon))) {
         ray.from = met.p;
@@ -138,8 +148,9 @@ class Painter {
       }
       if (met.hit.front) add_light(met, turn, pixel, gathered);
       pixel.cover += 1.0f;
-      return;
+      return met.hit.polygon;
     }
+    return none;
   }
 
   /// Moves a ray that starts above the cut down to it; false where it never comes there.
@@ -254,8 +265,7 @@ LightImage render(const SolvedScene& solved, const Camera& camera, const RenderC
       if (reports) report_progress(progress, "render", static_cast<double>(y) / config.height);
     }
   };
-  const int wanted =
-      config.threads > 0 ? config.threads : static_cast<int>(std::thread::hardware_concurrency());
+  const int wanted = config.threads > 0 ? config.threads : usable_cores();
   std::vector<std::jthread> others;
   for (int t = 1; t < wanted; ++t) others.emplace_back(work, false);
   work(true);

@@ -14,7 +14,7 @@ namespace enfilade {
 
 struct RenderConfig {
   int width = 960, height = 540;
-  int samples = 4;  ///< rays per pixel, on a jittered grid
+  int samples = 4;  ///< rays per pixel, on a jittered grid; two where both meet one polygon
   int gather_rays =
       0;  ///< > 0: irradiance by a gather from the solution at every pixel (slow, no mesh lines)
   bool smooth = true;  ///< radiosity without the patches' edges (smooth_light.hpp); irradiance is

@@ -13,6 +13,7 @@ IterationPlan Master::run(IterationPlan plan, std::vector<double> changes) {
     communicator_.finish_sends();
     plan = plan_from(decision.plan);
     changes = std::move(decision.correction);
+    work_.take_far_light(decision.far_light);
   }
   return plan;
 }
@@ -107,6 +108,7 @@ IterationPlan run_slave(ClusterWork& work, RemoteFiles& files, Communicator& com
     communicator.finish_sends();
     plan = plan_from(decision.plan);
     changes = std::move(decision.correction);
+    work.take_far_light(decision.far_light);
   }
   return plan;
 }

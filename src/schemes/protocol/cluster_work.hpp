@@ -27,6 +27,11 @@ class ClusterWork {
   virtual std::vector<ClusterId> resident() const = 0;
   /// MoveToCommonDirectory(S) of figure 2.
   virtual void move_to_common() = 0;
+  /// Returns what the far field needs of the clusters that this rank has gathered for in this
+  /// iteration, as numbers; those of several ranks are put one after the other.
+  virtual std::vector<double> far_light() const { return {}; }
+  /// Takes these numbers of all ranks; the next begin() uses them.
+  virtual void take_far_light(std::span<const double>) {}
   /// Returns this rank's part of the iteration's coarse system, as numbers.
   virtual std::vector<double> coarse() const { return {}; }
   /// Returns the sum of two parts of the coarse system.

@@ -22,12 +22,12 @@ Decision ConvergenceMonitor::decide(const IterationPlan& plan, const Token& toke
   work_.commit(history_, correction.changes, next.finished);
   if (observer_) observer_(history_.back());
   return {next.finished ? -1.0 : history_.back().figures.max_change, to_numbers(next),
-          correction.changes};
+          correction.changes, token.far_light};
 }
 
 Token own_token(const ClusterWork& work, const IterationFigures& figures, bool coarse_correction) {
   FoldedNumbers numbers = to_numbers(figures);
-  Token own{std::move(numbers.maxima), std::move(numbers.sums), {}};
+  Token own{std::move(numbers.maxima), std::move(numbers.sums), {}, work.far_light()};
   if (coarse_correction) own.coarse = work.coarse();
   return own;
 }
@@ -35,6 +35,7 @@ Token own_token(const ClusterWork& work, const IterationFigures& figures, bool c
 void add_token(const ClusterWork& work, Token& token, const Token& own, bool coarse_correction) {
   fold(token, own);
   if (coarse_correction) token.coarse = work.merge(token.coarse, own.coarse);
+  token.far_light.insert(token.far_light.end(), own.far_light.begin(), own.far_light.end());
 }
 
 }  // namespace enfilade

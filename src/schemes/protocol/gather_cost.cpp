@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST3";
+constexpr std::string_view mark = "ENFCOST4";
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const FoldedNumbers numbers = to_numbers(cost.figures);
@@ -23,6 +23,7 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
   w.put(cost.links_changed);
   if (cost.links_changed) w.put(cost.links);
   w.put_all(cost.coupled);
+  w.put_all(cost.read);
 }
 
 GatherCost get_cost(ByteReader& r) {
@@ -35,6 +36,7 @@ GatherCost get_cost(ByteReader& r) {
   cost.links_changed = r.get<bool>();
   if (cost.links_changed) cost.links = r.get<SectionWeight>();
   cost.coupled = r.get_all<std::uint32_t>();
+  cost.read = r.get_all<ClusterId>();
   return cost;
 }
 
@@ -130,6 +132,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
   Recording recording;
   recording.history = history_of(manifest);
   recording.basis = manifest->basis;
+  recording.hierarchy = manifest->hierarchy;
   recording.start.resize(clusters);
   read_iteration(run_directory, 0, clusters, recording.method, [&](ByteReader& r) {
     const auto id = r.get<ClusterId>();
@@ -143,6 +146,9 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
       GatherCost cost = get_cost(r);
       const ClusterId id = cost.cluster;
       if (id.index() >= clusters) return id;
+      for (const ClusterId read : cost.read) {
+        if (read.index() >= clusters) incomplete(run_directory, "is of another scene");
+      }
       if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
       gathers[id.index()] = std::move(cost);
       return id;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/building_field.hpp"
 #include "solver/iteration_method.hpp"
 #include "store/resident_clusters.hpp"
 
@@ -20,6 +21,8 @@ struct GatherCost {
   bool links_changed = false;    ///< only then were links written
   std::vector<std::uint32_t>
       coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
+  /// The clusters that the gather read, where it found them through the building's tree.
+  std::vector<ClusterId> read;
 };
 
 /// A run that can be replayed.
@@ -30,7 +33,9 @@ struct Recording {
   std::size_t bands = 1;
   IterationMethod method;
   Basis basis = Basis::linear;
+  Hierarchy hierarchy = Hierarchy::clusters;
 
+  bool has_far_light() const { return BuildingField::has_tree(hierarchy, start.size()); }
   /// Returns the size of a cluster's sections after iteration `iteration`; 0 = at the start.
   ClusterWeight weight(ClusterId cluster, int iteration) const;
 };

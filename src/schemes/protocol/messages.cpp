@@ -33,12 +33,14 @@ void write(ByteWriter& w, const Token& token) {
   w.put_all(token.maxima);
   w.put_all(token.sums);
   w.put_all(token.coarse);
+  w.put_all(token.far_light);
 }
 
 void write(ByteWriter& w, const Decision& decision) {
   w.put(decision.value);
   w.put_all(decision.plan);
   w.put_all(decision.correction);
+  w.put_all(decision.far_light);
 }
 
 void write(ByteWriter& w, const WorkRequest& request) {
@@ -112,6 +114,7 @@ Token read_token(ByteReader& r) {
   token.maxima = r.get_all<double>();
   token.sums = r.get_all<double>();
   token.coarse = r.get_all<double>();
+  token.far_light = r.get_all<double>();
   return token;
 }
 
@@ -120,6 +123,7 @@ Decision read_decision(ByteReader& r) {
   decision.value = r.get<double>();
   decision.plan = r.get_all<double>();
   decision.correction = r.get_all<double>();
+  decision.far_light = r.get_all<double>();
   return decision;
 }
 

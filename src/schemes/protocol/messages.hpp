@@ -39,6 +39,7 @@ struct Token {
   std::vector<double> sums;
   std::vector<double>
       coarse;  ///< the ranks' parts of the coarse system, added by ClusterWork::merge()
+  std::vector<double> far_light{};  ///< ClusterWork::far_light() of the ranks, one after the other
 };
 
 /// Second tour of the ring, from rank 0 on. `value`: the paper's T_final (max change), or -1 to
@@ -48,6 +49,7 @@ struct Decision {
   std::vector<double> plan;
   std::vector<double>
       correction;  ///< Correction::changes of solver/iteration_end.hpp; may be empty
+  std::vector<double> far_light{};  ///< Token::far_light of all ranks
 };
 
 /// The messages below are those of the schemes with a master, rank 0 (schemes/master/dealing.hpp).

@@ -36,6 +36,7 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout,
       resident_(files, machine, config.memory_bytes, config.memory_manager),
       occluders_(prepared.clusters),
       unknowns_(config.method.unknowns(prepared.clusters)),
+      field_(prepared, unknowns_, config.hierarchy),
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
       coarse_(unknowns_.count, bands_) {
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
@@ -43,6 +44,8 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout,
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
   files_.set_committed(plan.iteration - 1);
+  field_.end_iteration(changes);
+  far_light_.clear();
   if (config_.method.coarse_correction) coarse_ = CoarseSystem(unknowns_.count, bands_);
   resident_.set_correction(
       [this, own = std::vector<double>(changes.begin(), changes.end())](ClusterState& state) {
@@ -53,22 +56,43 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   gather_config_ = gather_config(plan, config_.gather, config_.method, area_m2_);
 }
 
+void RadiosityWork::take_far_light(std::span<const double> lights) {
+  if (!field_.has_tree()) return;
+  const std::size_t width = cluster_light_size(bands_);
+  for (std::size_t i = 0; i + width < lights.size(); i += width + 1) {
+    const auto cluster = static_cast<std::size_t>(lights[i]);
+    field_.set(ClusterId(cluster), lights.subspan(i + 1, width));
+  }
+}
+
+void RadiosityWork::restore_far_light(int committed) {
+  if (!field_.has_tree()) return;
+  files_.set_committed(committed);
+  for (const Cluster& cluster : prepared_.clusters) {
+    field_.set(cluster.id, light_of(*files_.read_shooter(cluster.id, Light::committed, nullptr)));
+  }
+}
+
 void RadiosityWork::hold(std::span<const ClusterId> receivers) {
+  if (!field_.lists_shooters()) return;  // a gather finds them as it goes
   std::vector<ClusterId> shooters;
   for (const ClusterId receiver : receivers) {
-    const std::vector<ClusterId> visible = prepared_.graph.visible_to(receiver);
-    shooters.insert(shooters.end(), visible.begin(), visible.end());
+    std::vector<ClusterId> listed;
+    field_.shooters(receiver, listed);
+    shooters.insert(shooters.end(), listed.begin(), listed.end());
   }
   resident_.hold(std::move(shooters));
 }
 
 IterationFigures RadiosityWork::gather(ClusterId receiver) {
-  const std::vector<ClusterId> visible = prepared_.graph.visible_to(receiver);
-  ClusterState& state = resident_.pin_receiver(receiver, visible);
+  std::vector<ClusterId> listed, read;
+  const Shooters shooters = field_.shooters(receiver, listed);
+  ClusterState& state = resident_.pin_receiver(receiver, listed);
   const GatherResult result = enfilade::gather(
-      state, visible,
-      [this](ClusterId id) -> const ClusterState& {
+      state, shooters,
+      [&](ClusterId id) -> const ClusterState& {
         if (machine_.time_passes_by_itself()) listen();  // else spend() listens
+        if (field_.hierarchy() == Hierarchy::building) read.push_back(id);
         return resident_.pin_shooter(id);
       },
       prepared_.scene.lights, occluders_, gather_config_);
@@ -81,7 +105,11 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
   const WrittenReceiver written = resident_.write_receiver(receiver, result.links_changed);
   resident_.unpin();
   recorder_.add({receiver, result.figures, written.patches, written.links, result.links_changed,
-                 std::move(places)});
+                 std::move(places), std::move(read)});
+  if (field_.has_tree()) {
+    far_light_.push_back(static_cast<double>(receiver.value));
+    far_light_.insert(far_light_.end(), result.light.begin(), result.light.end());
+  }
   return result.figures;
 }
 
@@ -107,6 +135,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   manifest.iteration = history.empty() ? 0 : history.back().plan.iteration;
   manifest.clusters = prepared_.clusters.size();
   manifest.basis = config_.gather.basis;
+  manifest.hierarchy = field_.hierarchy();
   manifest.scene_hash = prepared_.scene.hash;
   manifest.finished = finished;
   manifest.correction.assign(changes.begin(), changes.end());

@@ -19,6 +19,7 @@ namespace enfilade {
 struct RadiosityWorkConfig {
   GatherSettings gather;
   IterationMethod method;
+  Hierarchy hierarchy = Hierarchy::building;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   MemoryManager memory_manager = MemoryManager::own;
 };
@@ -32,6 +33,8 @@ class RadiosityWork final : public ClusterWork {
 
   /// Keeps a cluster of the state before the first iteration in memory; its files must exist.
   void adopt(ClusterState state) { resident_.adopt(std::move(state)); }
+  /// Takes the far field's light from the files of the committed iteration: a run that is resumed.
+  void restore_far_light(int committed);
   void set_next_use(ResidentClusters::NextUse next_use) {
     resident_.set_next_use(std::move(next_use));
   }
@@ -41,6 +44,8 @@ class RadiosityWork final : public ClusterWork {
   void hold(std::span<const ClusterId> receivers) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
   void move_to_common() override;
+  std::vector<double> far_light() const override { return far_light_; }
+  void take_far_light(std::span<const double> lights) override;
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   Correction correct(std::span<const double> coarse) const override;
@@ -62,6 +67,8 @@ class RadiosityWork final : public ClusterWork {
   Occluders occluders_;
   GatherConfig gather_config_;
   CoarseUnknowns unknowns_;
+  BuildingField field_;
+  std::vector<double> far_light_;  ///< of this rank: a cluster's number, then its ClusterLight
   std::size_t bands_ = 1;
   double area_m2_ = 0.0;  ///< of all clusters
   CoarseSystem coarse_;

@@ -37,13 +37,20 @@ double largest_share(const Spectrum& of, const Spectrum& less) {
   return worst;
 }
 
-void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis) {
+/// Pairs of clusters that may see each other; where G_cluster was not asked for, those with links.
+std::uint64_t cluster_edges(const Prepared& prepared, std::span<const IterationSummary> history) {
+  if (prepared.has_visibility) return prepared.graph.edges();
+  return history.empty() ? 0 : (history.back().figures.linked_clusters + 1) / 2;
+}
+
+void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis,
+                    std::span<const IterationSummary> history) {
   record.set("surfaces", prepared.scene.surfaces.size());
   record.set("lights", prepared.scene.lights.size());
   record.set("cells", prepared.cells.open_cells());
   record.set("portals", prepared.cells.portals().size());
   record.set("clusters", prepared.clusters.size());
-  record.set("cluster_edges", prepared.graph.edges());
+  record.set("cluster_edges", cluster_edges(prepared, history));
   record.set("bands", bands_of_file(prepared.scene));
   record.set("solved_bands", prepared.scene.bands);
   record.set("basis", basis == Basis::linear ? "linear" : "constant");
@@ -123,7 +130,7 @@ RunRecord gather_statistics(const Prepared& prepared, Basis basis, const Spectru
   RunRecord record;
   if (!communicator.root()) return record;
 
-  describe_scene(record, prepared, basis);
+  describe_scene(record, prepared, basis, history);
   describe_iterations(record, prepared.scene, emitted, history, last);
   record.set("ranks", communicator.size());
   record.set("messages", sum(column(ranks, 5)));

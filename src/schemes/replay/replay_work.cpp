@@ -20,6 +20,7 @@ void ReplayWork::initialise(std::span<const ClusterId> own) {
 
 void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
+  far_light_.clear();
   clusters_.set_committed(plan.iteration - 1);
   if (shared_->recording.method.coarse_correction)
     coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
@@ -28,11 +29,18 @@ void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
 }
 
 IterationFigures ReplayWork::gather(ClusterId receiver) {
-  const std::vector<ClusterId> visible = shared_->prepared.graph.visible_to(receiver);
   const auto iteration = static_cast<std::size_t>(iteration_) - 1;
   const GatherCost& cost = shared_->recording.gathers[iteration][receiver.index()];
+  const bool listed = shared_->recording.hierarchy == Hierarchy::clusters;
+  const std::vector<ClusterId> visible =
+      listed ? shared_->prepared.graph.visible_to(receiver) : cost.read;
+  if (shared_->recording.has_far_light())
+    far_light_.resize(far_light_.size() + 1 + cluster_light_size(shared_->recording.bands));
 
-  RecordedCluster& state = resident_.pin_receiver(receiver, visible);
+  // Through the building's tree, a gather does not know its shooters before.
+  const bool known = !shared_->recording.has_far_light();
+  RecordedCluster& state =
+      resident_.pin_receiver(receiver, known ? std::span(visible) : std::span<const ClusterId>{});
   for (const ClusterId id : visible) {
     if (id != receiver) resident_.pin_shooter(id);
   }

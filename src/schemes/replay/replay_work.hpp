@@ -39,6 +39,7 @@ class ReplayWork final : public ClusterWork {
   IterationFigures gather(ClusterId receiver) override;
   std::vector<ClusterId> resident() const override { return resident_.resident(); }
   void move_to_common() override { clusters_.move_to_common(); }
+  std::vector<double> far_light() const override { return far_light_; }
   std::vector<double> coarse() const override { return coarse_.to_numbers(); }
   std::vector<double> merge(std::span<const double> a, std::span<const double> b) const override;
   /// Returns a correction of the recorded size and figures, without effect on patches.
@@ -55,6 +56,7 @@ class ReplayWork final : public ClusterWork {
   RecordedClusters clusters_;
   BasicResidentClusters<RecordedCluster> resident_;
   CoarseSystem coarse_;
+  std::vector<double> far_light_;  ///< zeros, as many as there were
   int iteration_ = 0;
 };
 

@@ -81,10 +81,12 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   CostRecorder recorder(layout.run, communicator.rank(), config.method);
   GatherSettings gather = config.gather;
   gather.basis = basis;
+  const Hierarchy hierarchy = manifest ? manifest->hierarchy : config.topmost();
   RadiosityWork work(prepared, layout, scheme->files(), machine, recorder,
-                     {gather, config.method, memory, config.memory_manager});
+                     {gather, config.method, hierarchy, memory, config.memory_manager});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
+    if (manifest->iteration > 0) work.restore_far_light(manifest->iteration);
   } else {
     start_anew(parts, *scheme, basis, work, recorder);
   }

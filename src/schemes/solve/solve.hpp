@@ -33,6 +33,9 @@ struct SolveConfig : SolverConfig {
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
   bool resume = false;  ///< go on from the last committed iteration
+
+  /// Returns the hierarchy that is used: the schemes with a master deal out what a cluster sees.
+  Hierarchy topmost() const { return scheme == Scheme::spmd ? hierarchy : Hierarchy::clusters; }
 };
 
 /// Runs the solve. All ranks call it with the same arguments; rank 0 calls `observer` after every

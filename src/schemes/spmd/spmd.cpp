@@ -54,6 +54,7 @@ IterationPlan run_spmd(ClusterWork& work, TaskList& tasks, Communicator& communi
     Decision decision = go_round(communicator, machine, engine, own, decide, add_own);
     plan = plan_from(decision.plan);
     changes = std::move(decision.correction);
+    work.take_far_light(decision.far_light);
   }
   work.set_listener({});
   return plan;

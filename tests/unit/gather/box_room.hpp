@@ -99,7 +99,7 @@ struct Solved {
       const std::vector<ClusterState>& light = unknowns.aggregated() ? committed : states;
       for (ClusterState& receiver : states) {
         const GatherResult r = gather(
-            receiver, all,
+            receiver, {all},
             [&light](ClusterId id) -> const ClusterState& { return light[id.index()]; },
             scene.lights, occluders, config);
         change += r.figures.change_power;

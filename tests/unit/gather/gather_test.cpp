@@ -95,7 +95,7 @@ TEST(Gather, ReplacesTheLinksThatAreNotFineAnyMore) {
   config.refinement.min_area_m2 = 1e-8;
   const auto again = [&] {
     gather(
-        receiver, all,
+        receiver, {all},
         [&](ClusterId id) -> const ClusterState& { return solved.states[id.index()]; }, {},
         solved.occluders, config);
   };
@@ -147,7 +147,7 @@ TEST(Gather, TellsWhetherTheLinksChanged) {
     for (ClusterState& receiver : states) {
       const LinkSet before = receiver.links();
       const GatherResult result = gather(
-          receiver, all,
+          receiver, {all},
           [&states](ClusterId id) -> const ClusterState& { return states[id.index()]; },
           scene.lights, occluders, config);
       EXPECT_EQ(result.links_changed, !(receiver.links() == before)) << config.iteration;

@@ -19,7 +19,7 @@ Closed closed(float share, float uncertainty, const std::vector<double>& light, 
   const Occluders occluders(clusters);
   std::vector<ClusterState> states;
   for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
-  RowClosure closure(states[0]);
+  RowClosure closure(states[0], nullptr);
   for (const ClusterState& s : states) closure.add_shooter(s);
   Link link;
   link.shooter_cluster = ClusterId(1u);

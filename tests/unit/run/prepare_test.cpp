@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "base/error.hpp"
+#include "base/posix_file.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -49,6 +52,40 @@ TEST(Prepare, TheSceneThatWasReadIsTheOneThatIsKept) {
   EXPECT_EQ(made.warnings.summary(100), warnings.summary(100));
   std::filesystem::remove_all(run);
   std::filesystem::remove(file);
+}
+
+TEST(Prepare, TheGraphComesBackAndADamagedOneIsRefused) {
+  const std::string run = testing::TempDir() + "/enfilade-prepare-graph";
+  std::filesystem::remove_all(run);
+  Warnings warnings;
+  const Scene scene =
+      read_scene(std::string(ENFILADE_TEST_DATA) + "/scene/thin_gap.json", warnings);
+  const Prepared made = prepare(scene, run, {}, warnings);
+  ASSERT_GT(made.graph.edges(), 0u);
+  const Prepared loaded = load_prepared(run);
+  ASSERT_EQ(loaded.graph.size(), made.graph.size());
+  for (std::size_t i = 0; i < made.graph.size(); ++i) {
+    const auto was = made.graph.neighbours(i), is = loaded.graph.neighbours(i);
+    EXPECT_TRUE(std::equal(was.begin(), was.end(), is.begin(), is.end())) << i;
+  }
+  const std::string file = run + "/graph.bin";
+  const std::vector<std::byte> read = read_file(file);
+  const std::string bytes(reinterpret_cast<const char*>(read.data()), read.size());
+  ASSERT_GT(bytes.size(), 8u);
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    replace_file(file, damaged);
+    EXPECT_THROW(load_prepared(run), RunError) << at;
+  }
+  for (const std::string& damaged :
+       {std::string(), bytes.substr(0, bytes.size() - 1), bytes + "x", std::string("else")}) {
+    replace_file(file, damaged);
+    EXPECT_THROW(load_prepared(run), RunError) << damaged.size();
+  }
+  replace_file(file, bytes);
+  EXPECT_NO_THROW(load_prepared(run));
+  std::filesystem::remove_all(run);
 }
 
 }  // namespace

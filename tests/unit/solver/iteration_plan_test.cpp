@@ -111,9 +111,13 @@ TEST(IterationPlan, PatchesAreHeldToTheTargetWhileTheLinksAreFew) {
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5),
                                            sampled(3, 0.06)};
   history.back().error.discretisation = 0.015;
+  history.back().plan.link_tolerance = 1e-4;
+  asked.patch_links = 2 * history.back().figures.links;
+  const IterationPlan finer = next_plan(history, asked);
+  EXPECT_FALSE(finer.finished);
+  // The step aims at patch_links links, and not beyond.
+  EXPECT_NEAR(finer.link_tolerance / history.back().plan.link_tolerance, std::pow(0.5, 1.5), 1e-9);
   asked.patch_links = history.back().figures.links;
-  EXPECT_FALSE(next_plan(history, asked).finished);
-  asked.patch_links -= 1;
   EXPECT_TRUE(next_plan(history, asked).converged);
   history.back().error.discretisation = 0.05;  // gathered light is held to it all the same
   EXPECT_FALSE(next_plan(history, asked).finished);

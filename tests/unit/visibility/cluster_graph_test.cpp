@@ -4,102 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
-
-#include "base/random.hpp"
-#include "cells/rooms/build_cells.hpp"
-#include "unit/cells/rooms/plan_scenes.hpp"
+#include "base/error.hpp"
+#include "unit/visibility/random_segments.hpp"
 
 namespace enfilade {
 namespace {
 
-struct Prepared {
-  CellComplex complex;
-  std::vector<Cluster> clusters;
-  ClusterGraph graph;
-};
-
-Prepared prepare(const plan::Plan& plan, const VisibilityConfig& config = {}) {
-  Prepared p;
-  p.complex = build_cells(plan.pieces(), {});
-  std::vector<CellPiece> parts;
-  for (const Piece& piece : plan.pieces()) {
-    for (CellPiece& part : p.complex.cut(piece)) parts.push_back(std::move(part));
-  }
-  p.clusters = build_clusters(plan.scene(), parts, {});
-  p.graph = visible_clusters(p.complex, p.clusters, {}, config);
-  return p;
-}
-
-bool blocks(const Polygon& polygon, const Vec3& a, const Vec3& b) {
-  const Plane plane = plane_of(polygon);
-  const double da = plane.signed_distance(a), db = plane.signed_distance(b);
-  if (da * db >= 0.0) return false;
-  const Vec3 hit = a + da / (da - db) * (b - a);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    if (glm::dot(glm::cross(plane.n, edge), hit - polygon[i]) < 0.0) return false;
-  }
-  return true;
-}
-
-Vec3 random_point(const Polygon& polygon, Random& random) {
-  double left = random.uniform() * area_m2(polygon);
-  std::size_t k = 1;
-  for (; k + 2 < polygon.size(); ++k) {
-    left -= area_m2(Polygon{polygon[0], polygon[k], polygon[k + 1]});
-    if (left <= 0.0) break;
-  }
-  const double s = std::sqrt(random.uniform()), t = random.uniform();
-  return (1.0 - s) * polygon[0] + s * ((1.0 - t) * polygon[k] + t * polygon[k + 1]);
-}
-
-// Pairs of clusters that random unblocked segments join; every one of them must be an edge.
-std::size_t expect_no_pair_missed(const Prepared& p, int segments) {
-  struct Entry {
-    Polygon polygon;
-    Plane plane;
-    std::uint32_t cluster;
-  };
-  std::vector<Entry> entries;
-  for (const Cluster& cluster : p.clusters) {
-    for (const ClusterPolygon& polygon : cluster.polygons) {
-      entries.push_back({polygon.polygon, plane_of(polygon.polygon), cluster.id.value});
-    }
-  }
-  Random random(5);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> found;
-  for (int i = 0; i < segments; ++i) {
-    const Entry& from = entries[random.below(entries.size())];
-    const Entry& to = entries[random.below(entries.size())];
-    const Vec3 a = random_point(from.polygon, random), b = random_point(to.polygon, random);
-    if (from.plane.signed_distance(b) <= 1e-9 || to.plane.signed_distance(a) <= 1e-9) continue;
-    bool free = true;
-    for (const Entry& other : entries) {
-      if (&other != &from && &other != &to && blocks(other.polygon, a, b)) {
-        free = false;
-        break;
-      }
-    }
-    if (!free || from.cluster == to.cluster) continue;
-    found.emplace(std::min(from.cluster, to.cluster), std::max(from.cluster, to.cluster));
-    EXPECT_TRUE(p.graph.has_edge(from.cluster, to.cluster))
-        << from.cluster << " sees " << to.cluster;
-  }
-  return found.size();
-}
-
-plan::Plan enfilade_of_rooms() {
-  plan::Plan plan;
-  plan.box({0, 0, 0}, {20, 4, 2.5}, true);
-  for (int i = 1; i < 5; ++i) {
-    const double door = i % 2 == 0 ? 0.5 : 2.5;
-    plan.wall_with_door(4 * i, 0, 4, 2.5, door, door + 0.9, 2);
-  }
-  for (int i = 0; i < 5; ++i) plan.box({4 * i + 1.0, 1.5, 0}, {4 * i + 1.5, 2.5, 0.7}, false);
-  return plan;
-}
+using testing::enfilade_of_rooms;
+using testing::expect_no_pair_missed;
+using testing::prepare;
+using testing::Prepared;
 
 TEST(ClusterGraph, RowsAreSortedAndSymmetric) {
   const ClusterGraph graph(4, {{2, 1}, {1, 2}, {0, 3}, {3, 1}, {2, 2}});
@@ -107,6 +21,55 @@ TEST(ClusterGraph, RowsAreSortedAndSymmetric) {
   EXPECT_TRUE(graph.has_edge(1, 3) && graph.has_edge(3, 1) && !graph.has_edge(0, 1));
   const auto row = graph.neighbours(1);
   EXPECT_EQ(std::vector<std::uint32_t>(row.begin(), row.end()), (std::vector<std::uint32_t>{2, 3}));
+}
+
+TEST(ClusterGraph, ComesBackFromBytes) {
+  const ClusterGraph graph(5, {{0, 3}, {3, 1}, {4, 3}, {0, 1}});
+  const ClusterGraph back = graph_from_bytes(to_bytes(graph));
+  ASSERT_EQ(back.size(), 5u);
+  EXPECT_EQ(back.edges(), 4u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t j = 0; j < 5; ++j)
+      EXPECT_EQ(back.has_edge(i, j), graph.has_edge(i, j)) << i << " " << j;
+  }
+  EXPECT_EQ(graph_from_bytes(to_bytes(ClusterGraph(3, {}))).size(), 3u);
+}
+
+TEST(ClusterGraph, CutOrAlteredBytesAreRefused) {
+  const std::string bytes = to_bytes(ClusterGraph(2, {{0, 1}}));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(graph_from_bytes(bytes.substr(0, size)), RunError) << size;
+  EXPECT_THROW(graph_from_bytes(bytes + '\0'), RunError);
+  EXPECT_THROW(graph_from_bytes("enfilade-graph 1 2 1\ncluster-0 0 1\ncluster-1 1 0\n"), RunError);
+  std::string other = bytes;
+  other[0] = 'E';
+  EXPECT_THROW(graph_from_bytes(other), RunError);
+  // The edge's end, a number of four bytes, comes before the empty row of the last cluster.
+  const std::size_t end = bytes.size() - sizeof(std::uint64_t) - sizeof(std::uint32_t);
+  std::string beyond = bytes;
+  ASSERT_EQ(beyond[end], 1);
+  beyond[end] = 7;  // there is no such cluster
+  EXPECT_THROW(graph_from_bytes(beyond), RunError);
+}
+
+TEST(NeighbourGraph, JoinsWhatComesNextInTheTree) {
+  const Prepared p = prepare(enfilade_of_rooms());
+  const BuildingTree tree(p.clusters);
+  const std::size_t n = p.clusters.size();
+  ASSERT_GT(n, 20u);
+  for (const std::size_t reach : {std::size_t{1}, std::size_t{3}, 2 * n}) {
+    const ClusterGraph graph = neighbour_graph(tree, reach);
+    ASSERT_EQ(graph.size(), n);
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) {
+        const bool near = j - i <= reach;
+        edges += near ? 1 : 0;
+        EXPECT_EQ(graph.has_edge(tree.clusters()[i].index(), tree.clusters()[j].index()), near);
+      }
+    }
+    EXPECT_EQ(graph.edges(), edges);
+  }
 }
 
 TEST(VisibleClusters, WallsOfARoomSeeEachOther) {

@@ -1,0 +1,97 @@
+#include "coarse/far_flow.hpp"
+
+#include <algorithm>
+
+#include "coarse/aggregate_flow.hpp"
+
+namespace enfilade {
+
+FarUnknowns::Powers FarUnknowns::of_cluster(ClusterId cluster, std::uint32_t leaf) const {
+  const std::uint32_t aggregates = unknowns_.aggregates[cluster.index()];
+  Powers powers;
+  for (std::uint32_t z = 0; z < aggregates; ++z) {
+    std::vector<double>& power = powers[unknowns_.first[cluster.index()] + z];
+    for (std::size_t b = 0; b < bands(); ++b) {
+      power.push_back(light_.reflected_power(leaf, b) / aggregates);
+    }
+  }
+  return powers;
+}
+
+/// Sums the clusters below the node; nodes that shoot as one are small, or few.
+FarUnknowns::Parts FarUnknowns::make(std::uint32_t node) const {
+  const BuildingTree& tree = light_.tree();
+  const BuildingTree::Node& n = tree.node(node);
+  Powers powers;
+  std::vector<double> all(bands(), 0.0);
+  for (std::uint32_t i = n.begin; i < n.end; ++i) {
+    const ClusterId cluster = tree.clusters()[i];
+    for (const auto& [unknown, power] : of_cluster(cluster, tree.leaf_of(cluster))) {
+      std::vector<double>& sum = powers[unknown];
+      sum.resize(bands(), 0.0);
+      for (std::size_t b = 0; b < bands(); ++b) {
+        sum[b] += power[b];
+        all[b] += power[b];
+      }
+    }
+  }
+  Parts parts;
+  for (const auto& [unknown, power] : powers) {
+    parts.unknown.push_back(unknown);
+    for (std::size_t b = 0; b < bands(); ++b) {
+      parts.share.push_back(all[b] > 0.0 ? power[b] / all[b] : 0.0);
+    }
+  }
+  return parts;
+}
+
+const FarUnknowns::Parts& FarUnknowns::of(std::uint32_t node) const {
+  std::unique_ptr<Parts>& found = parts_[node];
+  if (!found) found = std::make_unique<Parts>(make(node));
+  return *found;
+}
+
+void FarFlow::add(const Link& link, std::span<const float> transport,
+                  std::span<const double> power) {
+  parts_.push_back({link.shooter.group(), static_cast<std::uint32_t>(power_.size())});
+  if (receiving_.size() == 1) {
+    power_.insert(power_.end(), power.begin(), power.end());
+    return;
+  }
+  for (const double share : received_shares(receiver_, receiving_, link, transport)) {
+    for (const double p : power) power_.push_back(share * p);
+  }
+}
+
+std::vector<CoarseRow::FarEntry> FarFlow::entries(const FarUnknowns& unknowns) {
+  const std::size_t bands = unknowns.bands(), width = receiving_.size() * bands;
+  std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
+    return a.node != b.node ? a.node < b.node : a.first < b.first;
+  });
+  std::vector<double> sums(unknowns.count() * width, 0.0), flow(width);
+  for (std::size_t i = 0; i < parts_.size();) {
+    const std::uint32_t node = parts_[i].node;
+    std::fill(flow.begin(), flow.end(), 0.0);
+    for (; i < parts_.size() && parts_[i].node == node; ++i) {
+      for (std::size_t k = 0; k < width; ++k) flow[k] += power_[parts_[i].first + k];
+    }
+    const FarUnknowns::Parts& shares = unknowns.of(node);
+    for (std::size_t u = 0; u < shares.unknown.size(); ++u) {
+      double* to = sums.data() + shares.unknown[u] * width;
+      const double* share = shares.share.data() + u * bands;
+      for (std::size_t z = 0; z < width; z += bands) {
+        for (std::size_t b = 0; b < bands; ++b) to[z + b] += share[b] * flow[z + b];
+      }
+    }
+  }
+  std::vector<CoarseRow::FarEntry> entries;
+  for (std::size_t u = 0; u < unknowns.count(); ++u) {
+    const auto from = sums.begin() + static_cast<std::ptrdiff_t>(u * width);
+    const auto end = from + static_cast<std::ptrdiff_t>(width);
+    if (std::any_of(from, end, [](double f) { return f != 0.0; }))
+      entries.push_back({static_cast<std::uint32_t>(u), {from, end}});
+  }
+  return entries;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,244 @@
+// The estimate of a link from a far node: a node of the building's tree, whose polygons are not in
+// memory. The power that arrives is estimated by Monte Carlo, without bias: a far link carries
+// little, but there are many, and a bias of each would add up.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <boost/container/small_vector.hpp>
+
+#include "geometry/form_factor.hpp"
+#include "geometry/sampling.hpp"
+#include "links/link_estimate.hpp"
+
+namespace enfilade {
+namespace {
+
+/// Samples by the power at stake, as multiples of the tolerance (compare LinkVisibility).
+constexpr int few_samples = 1, more_samples = 4, most_samples = 16;
+constexpr double few_share = 0.1, more_share = 4.0;
+/// Standard deviation of a single sample, as a share of the unoccluded power.
+constexpr double one_sample_deviation = 0.5;
+/// Samples that are all hidden: the power of this share of a sample may be visible, by Jeffreys.
+constexpr double unseen_samples = 0.5;
+/// Error by the change of what a far node sends among its parts, per unit of their deviation.
+constexpr double far_variation = 0.1;
+/// A node that sends nearly nothing towards the receiver's middle may light its ends: errors are
+/// relative to at least this share of the radiosity of its brightest polygon.
+constexpr double least_light_share = 1e-3;
+
+/// A point of a receiver, and the polygon that it lies on.
+struct ReceiverPoint {
+  Vec3 x, n;
+  std::uint32_t polygon = 0;
+};
+
+/// The polygon by area, the place by stratum `k` of `strata`.
+ReceiverPoint point_of(const LinkSide& receiver, int k, int strata, Random& random) {
+  const PatchForest& forest = *receiver.forest;
+  if (!receiver.is_group()) {
+    const PolygonFrame& frame = receiver.frame();
+    const double r1 = random.uniform(), r2 = random.uniform();
+    const int quarter = strata < 4 ? static_cast<int>(random.below(4)) : k % 4;
+    return {frame.at(receiver.shape.point_in_quarter(quarter, r1, r2)), frame.n, receiver.id.root};
+  }
+  const GroupNode& group = receiver.group();
+  double pick = receiver.area_m2 * (k + random.uniform()) / strata;
+  std::uint32_t i = group.begin;
+  for (; i + 1 < group.end; ++i) {
+    const double m2 = forest.node(forest.order()[i]).shape.area_m2;
+    if (pick < m2) break;
+    pick -= m2;
+  }
+  const std::uint32_t polygon = forest.order()[i];
+  const PatchShape& shape = forest.node(polygon).shape;
+  const double r1 = random.uniform(), r2 = random.uniform();
+  const Vec2 p =
+      uniform_point({shape.vertices.data(), shape.vertices.size()}, shape.area_m2, r1, r2);
+  return {forest.frames()[polygon].at(p), forest.frames()[polygon].n, polygon};
+}
+
+/// A point of a shooter with the irradiance that it stands for at a receiver's point.
+struct ShooterSample {
+  Vec3 y{0.0};
+  std::uint32_t polygon = 0;  ///< global number
+  // As if nothing stood between: the form factor, and the irradiance by what is emitted and by what
+  // is reflected, worst band.
+  double factor = 0.0, emitted = 0.0, reflected = 0.0;
+};
+
+/// About the kernel from a polygon to x; never zero, since a part of it may matter.
+double rough_kernel(const Vec3& x, const Vec3& n, const BuildingLight::PolygonLight& polygon) {
+  constexpr double least_cosine = 0.05;
+  const Vec3 d = polygon.center - x;
+  const double r2 = std::max(glm::dot(d, d), 1e-12), r = std::sqrt(r2);
+  const double received = std::max(least_cosine, glm::dot(n, d) / r);
+  const double sent = std::max(least_cosine, -glm::dot(polygon.plane.n, d) / r);
+  return received * sent / (r2 + 0.25 * polygon.area_m2);
+}
+
+/// A cluster by its share of the light and of the area that the node turns to x, a polygon by its
+/// share of the cluster's, then a point on it, uniformly.
+ShooterSample sample_of(const LinkSide& shooter, const Vec3& x, const Vec3& n, double pick,
+                        const Occluders& occluders, Random& random) {
+  double chosen = 1.0;
+  const ClusterId cluster = shooter.far->pick_cluster(shooter.id.group(), x, pick, chosen);
+  const std::uint32_t first = occluders.global(cluster, 0);
+  const auto polygons = shooter.far->light().polygons(cluster);
+  double power = 0.0, m2 = 0.0;
+  for (const BuildingLight::PolygonLight& polygon : polygons) {
+    power += polygon.power;
+    m2 += polygon.area_m2;
+  }
+  const double mean = power / m2;
+  boost::container::small_vector<double, 64> facing;
+  double total = 0.0;
+  for (const BuildingLight::PolygonLight& polygon : polygons) {
+    const double weight = polygon.power + mean * polygon.area_m2;
+    facing.push_back(polygon.plane.signed_distance(x) > 0.0 ? weight * rough_kernel(x, n, polygon)
+                                                            : 0.0);
+    total += facing.back();
+  }
+  ShooterSample sample;
+  if (total <= 0.0) return sample;
+  pick *= total;
+  std::uint32_t k = 0;
+  while (k + 1 < facing.size() && pick >= facing[k]) pick -= facing[k++];
+  if (facing[k] <= 0.0) return sample;
+  const Polygon& polygon = occluders.polygon(first + k);
+  sample.y = uniform_point(polygon, random.uniform(), random.uniform());
+  sample.polygon = first + k;
+  const double factor = point_kernel(x, n, sample.y, polygons[k].plane.n) * polygons[k].area_m2 *
+                        total / (chosen * facing[k]);
+  sample.factor = std::min(1.0, factor);
+  sample.emitted = sample.factor * polygons[k].emitted / polygons[k].area_m2;
+  sample.reflected =
+      sample.factor * (polygons[k].power - polygons[k].emitted) / polygons[k].area_m2;
+  return sample;
+}
+
+/// Sums of the samples' irradiance: of all, and of the visible ones with their squares.
+struct Sums {
+  double all = 0.0, seen = 0.0, seen2 = 0.0, emitted = 0.0, factor = 0.0;
+  int samples = 0, hidden = 0;
+  double deviation_of_mean() const {
+    const double mean = seen / samples;
+    return std::sqrt(std::max(0.0, seen2 / samples - mean * mean) / std::max(1, samples - 1));
+  }
+};
+
+/// Samples pairs of points, the receiver's and the far node's, with a ray between them.
+struct FarSampler {
+  const LinkSide& receiver;
+  const LinkSide& shooter;
+  const Occluders& occluders;
+  WorkCount& work;
+  Random random;
+  Sums sums{};
+
+  /// Adds `count` samples, stratified over the receiver and over the node's clusters.
+  void add(int count) {
+    const auto shift = static_cast<int>(random.below(static_cast<std::uint64_t>(count)));
+    for (int k = 0; k < count; ++k) {
+      const int stratum = (k + shift) % count;
+      const ReceiverPoint p = point_of(receiver, k, count, random);
+      const ShooterSample s =
+          sample_of(shooter, p.x, p.n, (stratum + random.uniform()) / count, occluders, random);
+      ++work.kernels;
+      ++sums.samples;
+      if (s.factor <= 0.0) continue;
+      const double irradiance = s.emitted + s.reflected;
+      sums.all += irradiance;
+      ++work.rays;
+      const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
+      if (occluders.rays().occluded(p.x, s.y, own, s.polygon)) {
+        ++sums.hidden;
+        continue;
+      }
+      sums.seen += irradiance;
+      sums.seen2 += irradiance * irradiance;
+      sums.emitted += s.emitted;
+      sums.factor += s.factor;
+    }
+  }
+};
+
+/// Irradiance per unit of the node's reflected radiosity, in which what is seen of the node may be
+/// brighter or darker than its mean. Within limits: light that grows must not grow by more than it
+/// can, or the iteration diverges.
+double reflected_transport(double irradiance, double factor, const LinkSide& shooter) {
+  constexpr double least = 0.5, most = 2.0;
+  const BuildingLight& light = shooter.far->light();
+  double radiosity = 0.0;
+  for (std::size_t b = 0; b < light.bands(); ++b) {
+    radiosity = std::max(radiosity, light.reflected(shooter.id.group(), b, shooter.toward));
+  }
+  return radiosity > 0.0 ? std::clamp(irradiance / radiosity, least * factor, most * factor)
+                         : factor;
+}
+
+double worst_exitance(const BuildingLight& light, std::uint32_t node) {
+  double worst = 0.0;
+  for (std::size_t b = 0; b < light.bands(); ++b) worst = std::max(worst, light.emitted(node, b));
+  return worst;
+}
+
+double facing_area(const LinkSide& receiver, const Vec3& toward) {
+  double m2 = 0.0;
+  const GroupNode& group = receiver.group();
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const std::uint32_t k = receiver.forest->order()[i];
+    m2 += receiver.forest->node(k).shape.area_m2 *
+          std::max(0.0, glm::dot(receiver.forest->frames()[k].n, toward));
+  }
+  return m2;
+}
+
+}  // namespace
+
+/// The receiver's power is that of the samples; a group distributes it by the cosines to the node's
+/// middle, a patch evenly.
+LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSide& shooter,
+                                         double tolerance) {
+  LinkEstimate out;
+  const Vec3 d = shooter.center - receiver.center;
+  const double distance = glm::length(d);
+  const Vec3 toward = distance > 0.0 ? d / distance : Vec3(0.0, 0.0, 1.0);
+  FarSampler sampler{receiver, shooter, *occluders_, *work_,
+                     Random(LinkSide::seed_of(receiver, shooter))};
+  const double bound = power_bound(receiver, shooter);
+  const Sums& sums = sampler.sums;
+  // By the bound alone: a number of samples that followed from samples would bias their mean.
+  sampler.add(bound <= few_share * tolerance    ? few_samples
+              : bound <= more_share * tolerance ? more_samples
+                                                : most_samples);
+
+  const BuildingLight& building = shooter.far->light();
+  const std::uint32_t node = shooter.id.group();
+  const double mean = sums.seen / sums.samples, all = sums.all / sums.samples;
+  const double light = std::max(shooter.light, least_light_share * building.most(node));
+  double deviation = sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * all;
+  if (sums.hidden > 0) deviation = std::max(deviation, unseen_samples * all / sums.samples);
+  if (light <= 0.0) return out;
+  out.shooter_error = receiver.area_m2 * deviation / light;
+  out.variation = far_variation * receiver.area_m2 * mean / light;
+  // A group receives in proportion to its polygons' cosines to the node's middle.
+  double scale = 1.0;
+  if (receiver.is_group()) {
+    const double facing_m2 = facing_area(receiver, toward);
+    if (facing_m2 <= 0.0) return out;
+    scale = receiver.area_m2 / facing_m2;
+    out.transport = {0.0f, static_cast<float>(toward.x), static_cast<float>(toward.y),
+                     static_cast<float>(toward.z)};
+  }
+  const FarTerms terms = FarTerms::of(receiver.is_group());
+  const double factor = sums.factor / sums.samples, emitted = sums.emitted / sums.samples;
+  out.transport[0] =
+      static_cast<float>(scale * reflected_transport(mean - emitted, factor, shooter));
+  out.transport[terms.factor] = static_cast<float>(scale * factor);
+  const double exitance = worst_exitance(building, node);
+  if (exitance > 0.0) out.transport[terms.emitted] = static_cast<float>(scale * emitted / exitance);
+  return out;
+}
+
+}  // namespace enfilade
