@@ -134,11 +134,12 @@ void group_iteration(Context& context) {
 }
 
 void stealing(Context& context) {
-  // The first blocks take fifty times as long: rank 0 must give some away, and each block still has
-  // its turn exactly once an iteration.
-  constexpr std::size_t blocks = 24;
+  // The first blocks take much longer, and longer than a time slice where ranks share cores: rank 0
+  // must give some away, and each block still has its turn exactly once an iteration.
+  const std::size_t blocks =
+      std::max<std::size_t>(24, 4 * static_cast<std::size_t>(context.communicator.size()));
   const auto labour = [&](ClusterId id) {
-    labour_for(context.machine, id.value < 6 ? 5e-3 : 1e-4);
+    labour_for(context.machine, id.value < 6 ? 2e-2 : 1e-4);
   };
   Run run(context, blocks, labour);
   run.solve(context, /*steal=*/true, 4, 0.0);
