@@ -1,6 +1,8 @@
 // The estimate of a link from a far node: a node of the building's tree, whose polygons are not in
-// memory. The power that arrives is estimated by Monte Carlo, without bias: a far link carries
-// little, but there are many, and a bias of each would add up.
+// memory. The power that arrives is estimated by Monte Carlo, each sample divided by its probability:
+// a far link carries little, but there are many, and a bias of each would add up. Two limits bias it
+// a little, for the sake of stability: of a sample's form factor (1), and of the transport of
+// reflected light per form factor (reflected_transport).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +16,7 @@
 namespace enfilade {
 namespace {
 
-/// Samples by the power at stake, as multiples of the tolerance (compare LinkVisibility).
+/// Samples by the bound of the power, as multiples of the tolerance.
 constexpr int few_samples = 1, more_samples = 4, most_samples = 16;
 constexpr double few_share = 0.1, more_share = 4.0;
 /// Standard deviation of a single sample, as a share of the unoccluded power.
