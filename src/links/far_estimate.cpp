@@ -1,8 +1,8 @@
 // The estimate of a link from a far node: a node of the building's tree, whose polygons are not in
-// memory. The power that arrives is estimated by Monte Carlo, each sample divided by its probability:
-// a far link carries little, but there are many, and a bias of each would add up. Two limits bias it
-// a little, for the sake of stability: of a sample's form factor (1), and of the transport of
-// reflected light per form factor (reflected_transport).
+// memory. The power that arrives is estimated by Monte Carlo, each sample divided by its
+// probability: a far link carries little, but there are many, and a bias of each would add up. Two
+// limits bias it a little, for the sake of stability: of a sample's form factor (1), and of the
+// transport of reflected light per form factor (reflected_transport).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
