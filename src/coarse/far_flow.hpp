@@ -25,7 +25,6 @@ class FarUnknowns {
       : light_(light), unknowns_(unknowns), parts_(light.tree().nodes().size()) {}
 
   std::size_t bands() const { return light_.bands(); }
-  std::size_t count() const { return unknowns_.count; }
   const Parts& of(std::uint32_t node) const;
 
  private:

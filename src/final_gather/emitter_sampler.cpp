@@ -13,15 +13,10 @@ namespace {
 /// Of a bright emitter's mean radiosity to the mean of all surfaces: a ray that hits the emitter by
 /// chance brings so many times what a ray brings on average.
 constexpr double bright_ratio = 8.0;
-/// Share of the bright emitters' light at a point below which a partly hidden part of one is not
-/// cut any further.
+/// Share of the bright emitters' unoccluded light at a point below which a part of one that is
+/// behind many polygons is sampled. There are at most some 2 / smallest_part such parts: with 8
+/// rays each, their noise is below 0.4% of that light.
 constexpr double smallest_part = 5e-4;
-/// Cuts that end in any case; and cuts after which a part without an unoccluded ray is given up.
-constexpr int most_cuts = 16, cuts_to_find_light = 3;
-/// Such a part is given up at once below this multiple of the smallest part.
-constexpr double hidden_part = 8.0;
-/// Corners of a part are tried for visibility this far out from its centroid.
-constexpr double toward_corner = 0.98;
 /// A polygon this many times its size away, squared, weighs as much as its middle does.
 constexpr double far_areas = 16.0;
 /// Share of the bright emitters' unoccluded light at a point below which one is left out.
@@ -68,34 +63,6 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
       }
     }
   }
-}
-
-/// Adds the visible share of the form factor of a part (`shape`) of a bright emitter, by rays.
-/// Parts that are partly hidden are cut in two until their factor is below the threshold.
-void EmitterSampler::add_visible_part(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                      const Emitter& b, const PatchShape& shape, double threshold,
-                                      int depth, VisibleNode& sum) const {
-  const PolygonFrame& frame = b.forest->frames()[b.k];
-  const double factor = point_to_polygon(p, n, corners_of(frame, shape));
-  if (factor <= 0.0) return;
-  int open = 0, rays = 0;
-  const auto cast = [&](const Vec2& at) {
-    ++rays;
-    open += occluders_->rays().occluded(p, frame.at(at), own, b.polygon, RayStart::in_air) ? 0 : 1;
-  };
-  for (const Vec2& q : shape.quadrature()) cast(q);
-  if (factor > threshold) {
-    for (const Vec2& c : shape.vertices)
-      cast(shape.centroid + toward_corner * (c - shape.centroid));
-  }
-  if (open == 0 && (factor <= hidden_part * threshold || depth >= cuts_to_find_light)) return;
-  if (open == rays || factor <= threshold || depth >= most_cuts) {
-    sum.add(factor * open / rays, shape.centroid - b.forest->node(b.k).shape.centroid);
-    return;
-  }
-  auto [low, high] = shape.halves(shape.cut({}));
-  add_visible_part(p, n, own, b, low, threshold, depth + 1, sum);
-  add_visible_part(p, n, own, b, high, threshold, depth + 1, sum);
 }
 
 /// The irradiance (largest band) that each polygon would give at p if nothing hid it.
@@ -146,7 +113,9 @@ const EmitterSampler::ControlledPolygon* EmitterSampler::ControlVariate::find(
 
 EmitterSampler::ControlVariate EmitterSampler::add_control_variate(const Vec3& p, const Vec3& n,
                                                                    std::uint32_t own, double least,
-                                                                   Spectrum& irradiance) const {
+                                                                   Random& random,
+                                                                   Spectrum& irradiance,
+                                                                   Spectrum& variance) const {
   ControlVariate control;
   const std::vector<double> bright = unoccluded(bright_, p, n, own);
   const std::vector<double> other = unoccluded(others_, p, n, own);
@@ -163,9 +132,12 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(const Vec3& p
     if (bright[i] <= negligible * total_bright || bright[i] <= 0.0) continue;
     const Emitter& b = bright_[i];
     if (!find_exactly(b)) {
-      const double threshold = smallest_part * total_bright / b.largest_radiosity;
-      next.nodes = {VisibleNode{b.k}};
-      add_visible_part(p, n, own, b, b.forest->node(b.k).shape, threshold, 0, next.nodes.front());
+      next.nodes.resize(1);
+      const double variance_of_factor = visible.find_by_parts(
+          p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k, least * total,
+          smallest_part * total_bright / b.largest_radiosity, random, next.nodes.front());
+      for (std::size_t band = 0; band < variance.size(); ++band)
+        variance[band] += variance_of_factor * b.radiosity(band) * b.radiosity(band);
     }
     control.polygons.push_back(next);
   }
@@ -189,6 +161,17 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(const Vec3& p
     }
   }
   return control;
+}
+
+void EmitterSampler::add_emitted(const ControlVariate& control, Spectrum& irradiance) const {
+  for (const ControlledPolygon& polygon : control.polygons) {
+    const PolygonRef ref = occluders_->local(polygon.polygon);
+    const PolygonFrame& frame = clusters_[ref.cluster.index()].patches().frames()[ref.polygon];
+    double factor = 0.0;
+    for (const VisibleNode& node : polygon.nodes) factor += node.factor;
+    for (std::size_t band = 0; band < irradiance.size(); ++band)
+      irradiance[band] += factor * frame.exitance[band];
+  }
 }
 
 std::vector<double> EmitterSampler::pick_weights(const Vec3& p) const {

@@ -37,10 +37,15 @@ class EmitterSampler {
   };
   /// Makes the control variate at p (unit normal n, on polygon `own` or on none) and adds its
   /// integral to `irradiance`. Controlled are all bright emitters, and the other polygons that may
-  /// give the share `least` of the light at p and have few occluders (VisibleNodes). The visible
-  /// part of a bright emitter behind many occluders is estimated by subdivision and rays.
+  /// give the share `least` of the light at p and have few occluders (VisibleNodes). A bright
+  /// emitter behind many occluders is cut into parts behind few, the smallest of which are sampled
+  /// by rays; `variance` gains theirs.
   ControlVariate add_control_variate(const Vec3& p, const Vec3& n, std::uint32_t own, double least,
-                                     Spectrum& irradiance) const;
+                                     Random& random, Spectrum& irradiance,
+                                     Spectrum& variance) const;
+
+  /// Adds what the control variate's polygons emit themselves, to the irradiance at its point.
+  void add_emitted(const ControlVariate& control, Spectrum& irradiance) const;
 
   /// Running sums of the bright emitters' probabilities, not normalised, to be picked for points
   /// near p.
@@ -66,9 +71,6 @@ class EmitterSampler {
                                         const Vec3& n, std::uint32_t own);
   Spectrum ambient(std::span<const double> unoccluded, const ControlVariate& control,
                    std::size_t bands) const;
-  void add_visible_part(const Vec3& p, const Vec3& n, std::uint32_t own, const Emitter& b,
-                        const PatchShape& shape, double threshold, int depth,
-                        VisibleNode& sum) const;
 
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;

@@ -1,11 +1,13 @@
 #include "final_gather/point_gather.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/random.hpp"
 #include "final_gather/emitter_sampler.hpp"
+#include "final_gather/point_place.hpp"
 #include "geometry/sampling.hpp"
 
 namespace enfilade {
@@ -45,6 +47,9 @@ constexpr int most_bounces = 64;
 constexpr int most_ray_sets = 16;
 /// Noise below this share of the scene's mean irradiance does not matter.
 constexpr double unseen_noise = 1e-4;
+/// Links are refined by the power at stake, so that the light of dark rooms is less accurate than
+/// its own amount tells: its error is relative to this share of the mean irradiance as well.
+constexpr double share_everywhere = 0.1;
 /// Of the ambient light: what is left after the control variate is added and subtracted again.
 constexpr double rounding = 1e-12;
 
@@ -62,16 +67,15 @@ struct PointGather::Impl {
   void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      const EmitterSampler::ControlVariate& control, Spectrum& e) const;
+                      const EmitterSampler::ControlVariate& control, Spectrum& variance,
+                      PointIrradiance& light) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                     const EmitterSampler::ControlVariate& control, std::span<const double> weights,
-                    Spectrum& e) const;
-  void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                std::span<const double> weights, const EmitterSampler::ControlVariate& control,
-                Random& random, Spectrum& e) const;
+                    Spectrum& e, std::array<int, 2>& ends) const;
+  RayHit add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
+                  std::span<const double> weights, const EmitterSampler::ControlVariate& control,
+                  Random& random, Spectrum& e) const;
   double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
-  std::uint32_t surface_at(const Vec3& p, const Vec3& n) const;
-  Vec3 lifted(const Vec3& p, const Vec3& n) const;
 };
 
 void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own,
@@ -100,20 +104,22 @@ double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygo
 /// Adds share * (the radiosity that a ray finds less the control variate in its direction). Where a
 /// ray ends on a patch that is large for its distance (a gap below a cupboard, a corner), the
 /// patch's mean is not the radiosity at the ray's end: the path goes on from the end with one
-/// random ray, and with direct light there, and so on.
-void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                                 std::span<const double> weights,
-                                 const EmitterSampler::ControlVariate& control, Random& random,
-                                 Spectrum& e) const {
+/// random ray, and with direct light there, and so on. Returns where the ray ends.
+RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
+                                   std::span<const double> weights,
+                                   const EmitterSampler::ControlVariate& control, Random& random,
+                                   Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
+  RayHit first;
   for (int bounces = 0; bounces < most_bounces; ++bounces) {
     const RayHit hit = occluders->rays().closest(from, direction, own, 1e30, RayStart::in_air);
+    if (bounces == 0) first = hit;
     const bool ends = !hit.any() || !hit.front;
     const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
     for (std::size_t b = 0; b < bands && bounces == 0 && controlled == nullptr; ++b) {
       e[b] -= share * control.ambient[b];
     }
-    if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return;
+    if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     const Vec3 at = from + hit.distance_m * direction;
@@ -125,7 +131,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
-      return;
+      return first;
     }
     const PolygonFrame& frame = patches.frames()[ref.polygon];
     double most = 0.0;
@@ -136,7 +142,7 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     }
     // Russian roulette (Arvo and Kirk 1990).
     const double survival = std::min(1.0, most / (faint * share));
-    if (random.uniform() >= survival) return;
+    if (random.uniform() >= survival) return first;
     for (double& c : carried) c /= survival;
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
@@ -145,14 +151,16 @@ void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, d
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
+  return first;
 }
 
 /// Adds the mean of a set of cosine-weighted rays, one in each stratum of the disc below the
 /// hemisphere (Nusselt). Returns its variance per band, from the differences between neighbouring
-/// strata.
+/// strata. `ends` counts the rays that end on front sides, and on back sides.
 Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
                                      Random& random, const EmitterSampler::ControlVariate& control,
-                                     std::span<const double> weights, Spectrum& e) const {
+                                     std::span<const double> weights, Spectrum& e,
+                                     std::array<int, 2>& ends) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
   const int pairs = side * side / 2;
@@ -160,8 +168,9 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
       std::fill(one.begin(), one.end(), 0.0);
-      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), weights, control, random,
-               one);
+      const RayHit hit = add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side),
+                                  weights, control, random, one);
+      if (hit.any()) ++ends[hit.front ? 0 : 1];
       for (std::size_t b = 0; b < bands; ++b) {
         e[b] += one[b];
         if ((i * side + j) % 2 == 1) variance[b] += (one[b] - before[b]) * (one[b] - before[b]);
@@ -177,61 +186,36 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
 }
 
 /// Adds the integral of radiosity less control variate over the hemisphere: the mean of several
-/// sets of rays, until the noise is low enough.
+/// sets of rays, until the noise is low enough. `variance`: of the light so far; gains the rays'.
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
                                        Random& random,
                                        const EmitterSampler::ControlVariate& control,
-                                       Spectrum& e) const {
+                                       Spectrum& variance, PointIrradiance& light) const {
   const std::vector<double> weights = emitters.pick_weights(p);
-  Spectrum sum(bands, 0.0), variance(bands, 0.0);
+  Spectrum& e = light.irradiance;
+  Spectrum sum(bands, 0.0), of_rays(bands, 0.0);
+  std::array<int, 2> ends{};
   const double least = config.least_noise();
   bool noisy = true;
   int rounds = 0;
   while (noisy && rounds < most_ray_sets) {
-    const Spectrum more = add_rays(p, n, own, random, control, weights, sum);
+    const Spectrum more = add_rays(p, n, own, random, control, weights, sum, ends);
     ++rounds;
     noisy = false;
     for (std::size_t b = 0; b < bands; ++b) {
-      variance[b] += more[b];
-      const double light = e[b] + sum[b] / rounds;
-      noisy |= least > 0.0 && std::sqrt(variance[b]) / rounds >
-                                  std::max(least * light, unseen_noise * mean_irradiance[b]);
+      of_rays[b] += more[b];
+      noisy |= least > 0.0 &&
+               std::sqrt(of_rays[b]) / rounds >
+                   std::max(least * (e[b] + sum[b] / rounds), unseen_noise * mean_irradiance[b]);
     }
   }
-  for (std::size_t b = 0; b < bands; ++b) e[b] += sum[b] / rounds;
-}
-
-/// The polygon (global number, the lowest of several) that p lies on, to within the distance that
-/// rays skip at their start, and that faces the same way; else none.
-std::uint32_t PointGather::Impl::surface_at(const Vec3& p, const Vec3& n) const {
-  for (const std::uint32_t k : occluders->touching(p, 4.0 * occluders->rays().epsilon_m())) {
-    if (glm::dot(normal(occluders->polygon(k)), n) > 0.999) return k;
+  for (std::size_t b = 0; b < bands; ++b) {
+    e[b] += sum[b] / rounds;
+    variance[b] += of_rays[b] / (rounds * rounds);
   }
-  return RayScene::no_polygon;
-}
-
-/// p moved off its surface, and off the walls that rise beside it: at the edge of a floor the
-/// point would else lie behind the wall, where it is dark.
-Vec3 PointGather::Impl::lifted(const Vec3& p, const Vec3& n) const {
-  const double step_m = 2.0 * occluders->rays().epsilon_m();
-  const Vec3 above = p + step_m * n;
-  std::vector<Vec3> away;
-  for (const std::uint32_t k : occluders->touching(p, step_m)) {
-    const Polygon& wall = occluders->polygon(k);
-    const bool rises = std::any_of(
-        wall.begin(), wall.end(), [&](const Vec3& v) { return glm::dot(n, v - p) > 4.0 * step_m; });
-    const Plane plane = plane_of(wall);
-    // Between two walls back to back either side may be meant: that of the first in the file.
-    const bool opposed = std::any_of(away.begin(), away.end(),
-                                     [&](const Vec3& o) { return glm::dot(plane.n, o) < -0.999; });
-    if (rises && !opposed && plane.signed_distance(above) < step_m) away.push_back(plane.n);
-  }
-  Vec3 x = above;
-  for (const Vec3& m : away) {
-    const double short_m = step_m - glm::dot(m, x - above);
-    if (short_m > 0.0) x += short_m * m;
-  }
-  return x;
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
+  light.front_share = static_cast<double>(ends[0]) / (rounds * side * side);
+  light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
 }
 
 PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
@@ -243,25 +227,33 @@ PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const
 
 PointGather::~PointGather() = default;
 
-Spectrum PointGather::irradiance(const Vec3& p, const Vec3& n) const {
+PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   // Seeded for each point: the answer does not depend on the points before it.
   Random random(impl_->config.seed);
-  Spectrum e(impl_->bands, 0.0);
-  const std::uint32_t own = impl_->surface_at(p, n);
-  const Vec3 x = impl_->lifted(p, n);
-  const EmitterSampler::ControlVariate control =
-      impl_->emitters.add_control_variate(x, n, own, share_left_to_rays(impl_->config), e);
-  impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), e);
-  impl_->add_hemisphere(x, n, own, random, control, e);
+  PointIrradiance light{Spectrum(impl_->bands, 0.0), Spectrum(impl_->bands, 0.0)};
+  Spectrum& e = light.irradiance;
+  const std::uint32_t own = surface_at(*impl_->occluders, p, n);
+  const Vec3 x = lifted(*impl_->occluders, p, n);
+  Spectrum variance(impl_->bands, 0.0), emitted(impl_->bands, 0.0);
+  impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), emitted);
+  const EmitterSampler::ControlVariate control = impl_->emitters.add_control_variate(
+      x, n, own, share_left_to_rays(impl_->config), random, e, variance);
+  for (std::size_t b = 0; b < impl_->bands; ++b) e[b] += emitted[b];
+  impl_->emitters.add_emitted(control, emitted);
+  impl_->add_hemisphere(x, n, own, random, control, variance, light);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
     if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
+    const double reflected = std::max(0.0, e[b] - emitted[b]);
+    light.error[b] = std::hypot(
+        std::sqrt(variance[b]),
+        impl_->config.reflected_error * (reflected + share_everywhere * impl_->mean_irradiance[b]));
   }
-  return e;
+  return light;
 }
 
 Spectrum PointGather::from_patches(const Vec3& p, const Vec3& n) const {
   Spectrum e(impl_->bands, 0.0);
-  std::uint32_t polygon = impl_->surface_at(p, n);
+  std::uint32_t polygon = surface_at(*impl_->occluders, p, n);
   if (polygon == RayScene::no_polygon) {
     const RayHit hit = impl_->occluders->rays().closest(p, -n);
     if (!hit.any() || !hit.front) return e;

@@ -22,10 +22,22 @@ struct PointGatherConfig {
   /// Relative error of the light of patches. The larger it is, the farther away a patch must be for
   /// a path to end with its light.
   double patch_error = 0.01;
+  /// Relative standard deviation of the reflected light at a point, by the error of the patches
+  /// that it comes from.
+  double reflected_error = 0.0;
 
   /// `noise`, or by default half of `patch_error` and at most 0.005: less noise would not make the
   /// answer better than the patches are, more would make it worse.
   double least_noise() const { return noise.value_or(std::clamp(0.5 * patch_error, 3e-4, 0.005)); }
+};
+
+/// The light at a point.
+struct PointIrradiance {
+  Spectrum irradiance;  ///< per band
+  /// Per band, one standard deviation: noise of the rays, and the error of the reflected light.
+  Spectrum error;
+  double front_share = 0.0;  ///< of the rays, that ended on front sides
+  double back_share = 0.0;   ///< of the rays, that ended on back sides
 };
 
 /// Refers to the clusters (in order of their ids), lights and occluders, which must outlive it.
@@ -35,9 +47,9 @@ class PointGather {
               const Occluders& occluders, const PointGatherConfig& config);
   ~PointGather();
 
-  /// Returns the irradiance per band at p on a plane with unit normal n, by one gather from every
-  /// visible patch.
-  Spectrum irradiance(const Vec3& p, const Vec3& n) const;
+  /// Returns the light at p on a plane with unit normal n, by one gather from every visible patch.
+  PointIrradiance at(const Vec3& p, const Vec3& n) const;
+  Spectrum irradiance(const Vec3& p, const Vec3& n) const { return at(p, n).irradiance; }
   /// Returns the irradiance per band that the patch's basis has at p: of the patch that p lies on,
   /// else of the one below p (against n). Zero where there is none.
   Spectrum from_patches(const Vec3& p, const Vec3& n) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/form_factor.hpp"
+#include "geometry/sampling.hpp"
 
 namespace enfilade {
 namespace {
@@ -14,6 +15,10 @@ constexpr std::size_t most_occluders = 16;
 /// this error, as they correct the deviation from the affine function.
 constexpr double cut_tolerance = 1.0 / 64.0;
 constexpr int most_cuts = 10;  ///< of a visible part
+/// Cuts by find_by_parts() that end in any case, and rays for a part that is not cut any further.
+constexpr int most_part_cuts = 24, rays_of_part = 8;
+/// More polygons than these are looked for anew before each part.
+constexpr std::size_t most_listed = 4096;
 /// Share of that error below which a part is taken as a whole, without extrapolation.
 constexpr double negligible = 1e-3;
 
@@ -73,18 +78,92 @@ bool VisibleNodes::find_below(const Vec3& p, const Vec3& n, const PatchForest& f
     return find_below(p, n, forest, child, least, found) &&
            find_below(p, n, forest, child + 1, least, found);
   }
-  parts_.begin(p, corners_, occluders_->tolerance_m());
-  for (const std::uint32_t occluder : between_) {
-    if (!parts_.hide(occluders_->polygon(occluder))) return false;
-  }
+  if (!hide_all(p, between_)) return false;
   VisibleNode visible{static_cast<std::uint32_t>(node)};
+  add_visible_parts(p, n, forest, least, visible);
+  found.push_back(visible);
+  return true;
+}
+
+/// Cuts the shadows of the occluders out of `corners_`, into `parts_`; false where there are too
+/// many parts.
+bool VisibleNodes::hide_all(const Vec3& p, std::span<const std::uint32_t> occluders) {
+  parts_.begin(p, corners_, occluders_->tolerance_m());
+  return std::all_of(occluders.begin(), occluders.end(), [this](std::uint32_t occluder) {
+    return parts_.hide(occluders_->polygon(occluder));
+  });
+}
+
+void VisibleNodes::add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest,
+                                     double least, VisibleNode& sum) {
+  const PolygonFrame& frame = forest.frames()[forest.node(sum.node).id.root];
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     PatchOutline outline;
     for (const Vec3& corner : parts_[i]) outline.push_back(frame.project(corner));
-    add_part(p, n, forest, PatchShape::from(outline), cut_tolerance * least, most_cuts, visible);
+    add_part(p, n, forest, PatchShape::from(outline), cut_tolerance * least, most_cuts, sum);
   }
-  found.push_back(visible);
-  return true;
+}
+
+struct VisibleNodes::ByParts {
+  Vec3 p, n;
+  std::uint32_t own, polygon;  ///< global numbers
+  const PatchForest& forest;
+  double least, least_factor;
+  Random& random;
+  VisibleNode& sum;
+  double variance = 0.0;
+
+  const PolygonFrame& frame() const { return forest.frames()[forest.node(sum.node).id.root]; }
+  /// Adds the share of a part's factor that random rays find open. The variance is that of a share
+  /// by Jeffreys' estimate: it is not zero where all rays end alike.
+  void sample(const PatchShape& shape, double factor, const RayScene& rays);
+};
+
+void VisibleNodes::ByParts::sample(const PatchShape& shape, double factor, const RayScene& rays) {
+  int open = 0;
+  for (int k = 0; k < rays_of_part; ++k) {
+    const double r1 = (k + random.uniform()) / rays_of_part, r2 = random.uniform();
+    const Vec2 at =
+        uniform_point({shape.vertices.data(), shape.vertices.size()}, shape.area_m2, r1, r2);
+    open += rays.occluded(p, frame().at(at), own, polygon, RayStart::in_air) ? 0 : 1;
+  }
+  const double share = (open + 0.5) / (rays_of_part + 1.0);
+  variance += factor * factor * share * (1.0 - share) / rays_of_part;
+  sum.add(factor * open / rays_of_part, shape.centroid - forest.node(sum.node).shape.centroid);
+}
+
+/// `among`: polygons of which those before the part are some; empty where they are not known.
+void VisibleNodes::find_in_part(const PatchShape& shape, std::span<const std::uint32_t> among,
+                                int depth, ByParts& by) {
+  corners_ = corners_of(by.frame(), shape);
+  const double factor = point_to_polygon(by.p, by.n, corners_);
+  if (factor <= 0.0) return;
+  std::vector<std::uint32_t> between;
+  bool known = true;
+  if (among.empty()) {
+    known = occluders_->find_between({by.p}, corners_, by.own, by.polygon, most_listed, between);
+  } else {
+    occluders_->find_among(among, {by.p}, corners_, by.own, by.polygon, between);
+  }
+  if (known && between.size() <= most_occluders && hide_all(by.p, between))
+    return add_visible_parts(by.p, by.n, by.forest, by.least, by.sum);
+  if (factor <= by.least_factor || depth >= most_part_cuts)
+    return by.sample(shape, factor, occluders_->rays());
+  if (!known) between.clear();
+  const auto [low, high] = shape.halves(shape.cut({}));
+  find_in_part(low, between, depth + 1, by);
+  find_in_part(high, between, depth + 1, by);
+}
+
+double VisibleNodes::find_by_parts(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                   ClusterId shooter, const PatchForest& forest,
+                                   std::uint32_t polygon, double least, double least_factor,
+                                   Random& random, VisibleNode& found) {
+  found = VisibleNode{polygon};
+  ByParts by{p,      n,    own, occluders_->global(shooter, polygon), forest, least, least_factor,
+             random, found};
+  find_in_part(forest.node(polygon).shape, {}, 0, by);
+  return by.variance;
 }
 
 /// Adds a visible part's factor and first moment. A part counts as a point at its centroid; it is

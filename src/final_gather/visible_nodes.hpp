@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/random.hpp"
 #include "geometry/visible_parts.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "occluders/occluders.hpp"
@@ -37,7 +38,7 @@ struct VisibleNode {
 /// Returns the corners in space of a patch, or of a part of one.
 Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape);
 
-/// Finds visible nodes; keeps scratch memory between calls.
+/// Finds visible nodes of polygons; keeps scratch memory between calls.
 class VisibleNodes {
  public:
   explicit VisibleNodes(const Occluders& occluders) : occluders_(&occluders) {}
@@ -49,10 +50,23 @@ class VisibleNodes {
   bool find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
             const PatchForest& forest, std::uint32_t polygon, double least,
             std::vector<VisibleNode>& found);
+  /// The same past any number of polygons, as one node: the polygon is cut into parts until few
+  /// enough stand before each; a part whose factor is below `least_factor` is estimated by random
+  /// rays. Returns the variance of the factor.
+  double find_by_parts(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
+                       const PatchForest& forest, std::uint32_t polygon, double least,
+                       double least_factor, Random& random, VisibleNode& found);
 
  private:
+  /// What find_by_parts() asks for, and finds.
+  struct ByParts;
   bool find_below(const Vec3& p, const Vec3& n, const PatchForest& forest, std::size_t node,
                   double least, std::vector<VisibleNode>& found);
+  bool hide_all(const Vec3& p, std::span<const std::uint32_t> occluders);
+  void add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest, double least,
+                         VisibleNode& sum);
+  void find_in_part(const PatchShape& shape, std::span<const std::uint32_t> among, int depth,
+                    ByParts& by);
   void add_part(const Vec3& p, const Vec3& n, const PatchForest& forest, const PatchShape& shape,
                 double least, int cuts, VisibleNode& sum);
 

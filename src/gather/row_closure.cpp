@@ -16,15 +16,30 @@ constexpr double deviation_of_uncertainty = 0.5;
 /// Least number of rays of a whole cluster: a narrow opening must not be missed.
 constexpr double least_rays = 512.0;
 constexpr int least_rings = 4;
+/// The transports of reflected light of a row may sum to more than its enclosed share, since what a
+/// leaf sees of a far node may be brighter than its mean; no further than to this over the leaf's
+/// reflectance, or light would grow from iteration to iteration.
+constexpr double most_gain = 0.95;
 
 }  // namespace
+
+RowClosure::Columns::Columns(std::size_t terms, std::size_t bands)
+    : factor(terms),
+      uncertainty(factor + 1),
+      doubtful(uncertainty + 1),
+      gain(doubtful + 1),
+      uncertain_light(gain + 1),
+      doubtful_light(uncertain_light + bands),
+      light(doubtful_light + bands),
+      uncertain_arrival(light + bands),
+      width(uncertain_arrival + bands) {}
 
 RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far)
     : receiver_(receiver),
       far_(far),
       bands_(static_cast<std::size_t>(receiver.bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
-      width_(terms_ + 1 + 2 * bands_) {}
+      at_(terms_, bands_) {}
 
 void RowClosure::add_shooter(const ClusterState& shooter) {
   const PatchForest& patches = shooter.patches();
@@ -35,18 +50,23 @@ void RowClosure::add_shooter(const ClusterState& shooter) {
   lit_in_view_ += patches.lit_polygons();
 }
 
-void RowClosure::add(std::size_t node, double factor, double uncertainty,
-                     std::span<const double> light, double uncertainty_of_variation) {
-  rows_.resize(std::max(rows_.size(), receiver_.patches().size() * width_), 0.0);
+void RowClosure::add(std::size_t node, const Addition& addition, std::span<const double> light) {
+  rows_.resize(std::max(rows_.size(), receiver_.patches().size() * at_.width), 0.0);
   double* to = row(node);
-  to[0] += factor;
-  to[terms_] += uncertainty;
+  const double doubtful = std::min(addition.uncertainty, addition.factor);
+  to[0] += addition.factor;
+  to[at_.factor] += addition.factor;
+  to[at_.uncertainty] += addition.uncertainty;
+  to[at_.doubtful] += doubtful;
+  to[at_.gain] += addition.gain;
   double top = 0.0;  // by the links' errors, light is negative in places
   for (const double l : light) top = std::max(top, std::abs(l));
-  const double varies = top > 0.0 ? uncertainty_of_variation / top : 0.0;
+  const double varies = top > 0.0 ? addition.uncertainty_of_variation / top : 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
-    to[terms_ + 1 + b] += uncertainty * light[b];
-    to[terms_ + 1 + bands_ + b] += (uncertainty + varies) * light[b];
+    to[at_.uncertain_light + b] += addition.uncertainty * light[b];
+    to[at_.doubtful_light + b] += doubtful * light[b];
+    to[at_.light + b] += addition.factor * light[b];
+    to[at_.uncertain_arrival + b] += (addition.uncertainty + varies) * light[b];
   }
 }
 
@@ -61,8 +81,10 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
       const std::uint32_t k = patches.order()[j];
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
-      if (cosine > 0.0 && !patches.unreachable(k))
-        add(k, factor * cosine, factor * cosine * group_uncertainty, light, 0.0);
+      if (cosine > 0.0 && !patches.unreachable(k)) {
+        add(k, {factor * cosine, transport[0] * cosine, factor * cosine * group_uncertainty, 0.0},
+            light);
+      }
     }
     return;
   }
@@ -70,7 +92,8 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
   // shooters.
   const std::size_t node = patches.find(link.receiver);
   const double per_m2 = factor > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
-  add(node, factor, per_m2 * link.error, light, per_m2 * link.variation * variation);
+  add(node, {factor, transport[0], per_m2 * link.error, per_m2 * link.variation * variation},
+      light);
   if (terms_ == 3 && !link.is_far()) {
     row(node)[1] += transport[3];
     row(node)[2] += transport[6];
@@ -125,7 +148,7 @@ RowClosure::Deficit RowClosure::deficit(std::size_t leaf, bool open, double rays
   const double variance = (target * (1.0 - target) + 1.0 / rays) / rays;
   Deficit deficit;
   if (open) deficit.gain = deviation * deviation / (deviation * deviation + variance);
-  deficit.missing = deficit.gain * (target - row_sum(leaf));
+  deficit.missing = deficit.gain * (target - row(leaf)[0]);
   deficit.beyond = std::max(0.0, deficit.missing - uncertainty(leaf));
   return deficit;
 }
@@ -146,11 +169,11 @@ double RowClosure::own_radiosity(std::size_t leaf, std::size_t band, double beyo
 /// leaf's own.
 void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
                              std::span<const double> arrived, std::vector<double>& gathered) const {
-  const double* sums = rows_.data() + leaf * width_;
+  const double* sums = row(leaf);
   for (std::size_t b = 0; b < bands_; ++b) {
     const std::size_t at = (leaf * bands_ + b) * terms_;
     double* to = gathered.data() + at;
-    const double light = sums[terms_ + 1 + b] / uncertainty(leaf);
+    const double light = sums[at_.uncertain_light + b] / uncertainty(leaf);
     const double within = deficit.within() * light;
     to[0] += within;
     if (deficit.beyond > 0.0) {
@@ -164,11 +187,49 @@ void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
   }
 }
 
+/// Takes the excess from the links in proportion to their doubtful factors, what remains from all:
+/// from none more than it brought, so that the row's coefficients stay positive and sum to the
+/// target.
+void RowClosure::take_excess(std::size_t leaf, const Deficit& deficit,
+                             std::vector<double>& gathered) const {
+  const double* sums = row(leaf);
+  const double excess = -deficit.missing, doubtful = sums[at_.doubtful];
+  const double taken = std::min(excess, doubtful);
+  const double share = doubtful > 0.0 ? taken / doubtful : 0.0;
+  const double certain = sums[at_.factor] - taken;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double* to = gathered.data() + (leaf * bands_ + b) * terms_;
+    const double from_doubtful = share * sums[at_.doubtful_light + b];
+    to[0] -= from_doubtful;
+    if (excess > taken && certain > 0.0)
+      to[0] -= (excess - taken) * (sums[at_.light + b] - from_doubtful) / certain;
+    if (terms_ == 3 && sums[at_.factor] > 0.0) {
+      const double light = sums[at_.light + b] / sums[at_.factor];
+      to[1] -= deficit.gain * sums[1] * light;
+      to[2] -= deficit.gain * sums[2] * light;
+    }
+  }
+}
+
+/// `added` (below zero: taken): to the row by its closure.
+void RowClosure::limit_gain(std::size_t leaf, double added, std::vector<double>& gathered) const {
+  const PatchForest& patches = receiver_.patches();
+  const BandValues& reflectance = patches.frames()[patches.node(leaf).id.root].reflectance;
+  const double worst = *std::max_element(reflectance.begin(), reflectance.end());
+  const double* sums = row(leaf);
+  const double gain = sums[0] + added + sums[at_.gain] - sums[at_.factor];
+  const double limit = std::max(1.0, worst > 0.0 ? most_gain / worst : gain);
+  if (gain <= limit) return;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    gathered[(leaf * bands_ + b) * terms_] -= (1.0 - limit / gain) * sums[at_.light + b];
+  }
+}
+
 RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flux_correction,
                                  WorkCount& work, std::vector<double>& gathered) {
   const PatchForest& patches = receiver_.patches();
-  rows_.resize(patches.size() * width_, 0.0);
-  patches.push(rows_, width_, 1);
+  rows_.resize(patches.size() * at_.width, 0.0);
+  patches.push(rows_, at_.width, 1);
   const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
   const int rings = std::max(
       least_rings, static_cast<int>(std::sqrt(0.25 * least_rays / static_cast<double>(leaves))));
@@ -185,11 +246,16 @@ RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flu
     }
     correct_flux(n, flux_correction, gathered);
     if (target <= 0.0) continue;
-    sums.deficit_m2 += area_m2 * std::abs(target - row_sum(n));
+    sums.deficit_m2 += area_m2 * std::abs(target - row(n)[0]);
     sums.closed_m2 += area_m2;
     if (uncertainty(n) <= 0.0) continue;
-    const double rays = 4.0 * rings * rings;
-    add_missing(n, deficit(n, open[node.id.root] != 0, rays), arrived, gathered);
+    const Deficit missing = deficit(n, open[node.id.root] != 0, 4.0 * rings * rings);
+    if (missing.missing >= 0.0) {
+      add_missing(n, missing, arrived, gathered);
+    } else {
+      take_excess(n, missing, gathered);
+    }
+    limit_gain(n, missing.missing, gathered);
   }
   return sums;
 }

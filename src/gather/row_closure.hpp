@@ -39,6 +39,25 @@ class RowClosure {
                        std::vector<double>& gathered);
 
  private:
+  /// A row is affine over its node; its first number is the mean. Where each sum stands:
+  struct Columns {
+    std::size_t factor;       ///< of the factors, as constants over their receivers
+    std::size_t uncertainty;  ///< of the links' uncertainties (estimated errors per m2)
+    std::size_t doubtful;     ///< of the factors, each no more than its uncertainty
+    std::size_t gain;         ///< of the transports of reflected light
+    // Per band:
+    std::size_t uncertain_light;  ///< of uncertainty times light
+    std::size_t doubtful_light;   ///< of the doubtful factor times light
+    std::size_t light;            ///< of factor times light
+    std::size_t
+        uncertain_arrival;  ///< of (uncertainty + effect of the shooter's variation) * light
+    std::size_t width;
+    Columns(std::size_t terms, std::size_t bands);
+  };
+  /// What a link adds to a row.
+  struct Addition {
+    double factor, gain, uncertainty, uncertainty_of_variation;
+  };
   /// The deficit of a leaf's row; below zero where the row sums to more than its target.
   struct Deficit {
     double gain = 1.0;     ///< weight of the target against the links' own sum
@@ -46,13 +65,12 @@ class RowClosure {
     double beyond = 0.0;   ///< the part of `missing` that exceeds the links' uncertainty
     double within() const { return missing - beyond; }
   };
-  void add(std::size_t node, double factor, double uncertainty, std::span<const double> light,
-           double uncertainty_of_variation);
-  double* row(std::size_t node) { return rows_.data() + node * width_; }
-  double row_sum(std::size_t node) const { return rows_[node * width_]; }
-  double uncertainty(std::size_t node) const { return rows_[node * width_ + terms_]; }
+  void add(std::size_t node, const Addition& addition, std::span<const double> light);
+  double* row(std::size_t node) { return rows_.data() + node * at_.width; }
+  const double* row(std::size_t node) const { return rows_.data() + node * at_.width; }
+  double uncertainty(std::size_t node) const { return row(node)[at_.uncertainty]; }
   double uncertain_light(std::size_t node, std::size_t band) const {
-    return rows_[node * width_ + terms_ + 1 + bands_ + band];
+    return row(node)[at_.uncertain_arrival + band];
   }
   /// Measures the enclosed shares that are not known yet. Returns per polygon: 1 where a leaf of it
   /// sees an opening.
@@ -63,17 +81,17 @@ class RowClosure {
   double own_radiosity(std::size_t leaf, std::size_t band, double beyond, double arrived) const;
   void add_missing(std::size_t leaf, const Deficit& deficit, std::span<const double> arrived,
                    std::vector<double>& gathered) const;
+  void take_excess(std::size_t leaf, const Deficit& deficit, std::vector<double>& gathered) const;
+  void limit_gain(std::size_t leaf, double added, std::vector<double>& gathered) const;
 
   bool lit(const PolygonRef& polygon) const;
 
   ClusterState& receiver_;
   const BuildingLight* far_;
-  std::size_t bands_, terms_, width_;
-  /// Per node: the row's sum as an affine function; the sum of the links' uncertainties (estimated
-  /// errors per m2); per band the sum of uncertainty times light; and per band the uncertain
-  /// irradiance: the sum of (uncertainty + effect of the shooter's variation) times light.
-  std::vector<double> rows_;
-  std::vector<char> lit_;  ///< the shooters' polygons, one shooter after the other
+  std::size_t bands_, terms_;
+  Columns at_;
+  std::vector<double> rows_;  ///< per node
+  std::vector<char> lit_;     ///< the shooters' polygons, one shooter after the other
   std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< by shooter: its first in lit_
   std::uint32_t lit_in_view_ = 0;                            ///< number of lit polygons
 };

@@ -10,11 +10,14 @@ std::vector<Probe> read_probes(const std::string& path) {
   const nlohmann::json document = parse_json(read_bytes(path), path);
   const KeyReader keys(path);
   keys.list(keys.need(document, "probes", "top level"), "probes");
-  return keys.probes(document, keys.metres_per_unit(document), nullptr);
+  std::vector<Probe> probes = keys.probes(document, keys.metres_per_unit(document), nullptr);
+  if (probes.empty())
+    throw InputError(path, "probes", "is empty", "name a point, as in {\"p\": [0, 0, 1]}");
+  return probes;
 }
 
 void write_probe_answers(const std::string& source_path, const std::string& path,
-                         const std::vector<Spectrum>& irradiance, const std::string& from,
+                         const std::vector<ProbeAnswer>& answers, const std::string& from,
                          ExitanceUnit unit) {
   nlohmann::ordered_json document = parse_ordered_json(read_bytes(source_path), source_path);
   // Where the probes came with a scene, its geometry is no part of the answer.
@@ -25,10 +28,12 @@ void write_probe_answers(const std::string& source_path, const std::string& path
   document["from"] = from;
   document["unit"] = irradiance_label(unit);
   nlohmann::ordered_json& probes = document["probes"];
-  ENFILADE_CHECK(
-      probes.size() == irradiance.size(),
-      std::to_string(probes.size()) + " probes, " + std::to_string(irradiance.size()) + " answers");
-  for (std::size_t i = 0; i < irradiance.size(); ++i) probes[i]["E"] = irradiance[i];
+  ENFILADE_CHECK(probes.size() == answers.size(), std::to_string(probes.size()) + " probes, " +
+                                                      std::to_string(answers.size()) + " answers");
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    probes[i]["E"] = answers[i].irradiance;
+    probes[i]["error"] = answers[i].error;
+  }
   write_file_atomically(
       path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

@@ -13,13 +13,20 @@ Scene read_scene(const std::string& path, Warnings& warnings);
 /// Lengths are written in metres. Throws RunError where the file cannot be written.
 void write_scene(const Scene& scene, const std::string& path);
 
-/// Reads {"probes": [{"p", "n"}, ...]}; a scene file with probes will do as well.
+/// The light at a probe, per band of the file.
+struct ProbeAnswer {
+  Spectrum irradiance;
+  Spectrum error;  ///< one standard deviation
+};
+
+/// Reads {"probes": [{"p", "n"}, ...]}; a scene file with probes will do as well. Throws
+/// InputError where the list is empty.
 std::vector<Probe> read_probes(const std::string& path);
-/// Writes the probes of `source_path` with "E" (per band) added to each, and "from" and "unit"
-/// beside them. All other keys of that file are kept, but a scene's surfaces and lights;
+/// Writes the probes of `source_path` with "E" and "error" (per band) added to each, and "from" and
+/// "unit" beside them. All other keys of that file are kept, but a scene's surfaces and lights;
 /// "exitanceUnits", where it is there, becomes the unit's name.
 void write_probe_answers(const std::string& source_path, const std::string& path,
-                         const std::vector<Spectrum>& irradiance, const std::string& from,
+                         const std::vector<ProbeAnswer>& answers, const std::string& from,
                          ExitanceUnit unit);
 
 /// Writes `text` so that `path` holds either the old content or all of the new (temporary file,

@@ -11,6 +11,16 @@ double sent_power(const IterationFigures& figures, const Spectrum& surfaces, std
   return surfaces[b] + figures.direct_power[b];
 }
 
+/// Power that the balance lacks; below zero: has too much. All that may escape counts as escaping,
+/// but a correction of the last iteration is wanted only as far as the balance needs it.
+double lost_power(const IterationFigures& figures, double sent, double correction, std::size_t b) {
+  const double missing = sent - figures.absorbed_power[b];
+  const double at_least = missing - figures.escaping_power[b];
+  if (correction > 0.0) return at_least;
+  if (correction < 0.0) return missing;
+  return missing < 0.0 ? missing : std::max(0.0, at_least);
+}
+
 }  // namespace
 
 Spectrum surfaces_power(const Scene& scene, Spectrum emitted) {
@@ -24,9 +34,7 @@ Spectrum surfaces_power(const Scene& scene, Spectrum emitted) {
 
 double unbalanced_share(const IterationFigures& figures, const Spectrum& surfaces, std::size_t b) {
   const double sent = sent_power(figures, surfaces, b);
-  if (sent <= 0.0) return 0.0;
-  const double missing = sent - figures.absorbed_power[b];
-  return (missing < 0.0 ? missing : std::max(0.0, missing - figures.escaping_power[b])) / sent;
+  return sent > 0.0 ? lost_power(figures, sent, 0.0, b) / sent : 0.0;
 }
 
 Spectrum flux_correction(const IterationSummary& last, const Spectrum& surfaces, double tolerance) {
@@ -34,15 +42,17 @@ Spectrum flux_correction(const IterationSummary& last, const Spectrum& surfaces,
   Spectrum flux_correction = last.plan.flux_correction;
   if (!last.plan.close_rows) return flux_correction;
   for (std::size_t b = 0; b < std::min(surfaces.size(), figures.uncertain_power.size()); ++b) {
-    const double share = unbalanced_share(figures, surfaces, b);
-    const double lost = share * sent_power(figures, surfaces, b);
-    if (std::abs(share) <= std::max(tolerance, 4.0 * last.error.iteration) ||
-        figures.uncertain_power[b] <= 0.0) {
+    const double sent = sent_power(figures, surfaces, b), uncertain = figures.uncertain_power[b];
+    const double before = b < flux_correction.size() ? flux_correction[b] : 0.0;
+    const double lost = lost_power(figures, sent, before, b);
+    if (std::abs(lost) <= sent * std::max(tolerance, 4.0 * last.error.iteration) ||
+        uncertain <= 0.0) {
       continue;
     }
     flux_correction.resize(surfaces.size(), 0.0);
-    flux_correction[b] =
-        std::clamp(flux_correction[b] + lost / figures.uncertain_power[b], -1.0, 1.0);
+    // No more than is needed: a correction shrinks to zero before it changes its sign.
+    const double most = before < 0.0 ? 0.0 : 1.0, least = before > 0.0 ? 0.0 : -1.0;
+    flux_correction[b] = std::clamp(before + lost / uncertain, least, most);
   }
   return flux_correction;
 }

@@ -149,6 +149,11 @@ double contraction(std::span<const IterationSummary> history) {
   return std::min(std::max(most_reflected(history.back().figures), change_ratio(history)), 0.9999);
 }
 
+double reflected_error(const IterationSummary& last) {
+  const double reflected = most_reflected(last.figures);
+  return reflected > 0.0 ? last.error.total() / (mean_over_standard_error * reflected) : 0.0;
+}
+
 double sample_noise(const ErrorSampleSums& sums) {
   return worst(sums.light.size(), [&](std::size_t b) { return sample_noise(sums, b); });
 }

@@ -25,6 +25,11 @@ double contraction(std::span<const IterationSummary> history);
 /// `surfaces`: surfaces_power() of energy_conservation.hpp.
 ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces);
 
+/// Returns the relative standard deviation of the reflected light that a point gathers: the
+/// estimate for gathered light is an L1 mean over all light, of which the reflected share alone is
+/// uncertain.
+double reflected_error(const IterationSummary& last);
+
 /// Returns the relative noise of one sampled point: mean over the points, worst band; 0 where none
 /// was sampled.
 double sample_noise(const ErrorSampleSums& sums);

@@ -112,6 +112,11 @@ IterationPlan Solver::iterate(const IterationPlan& plan) {
 
 }  // namespace
 
+std::uint64_t default_patch_links(double target_error) {
+  constexpr double links = 200000.0, at_error = 0.02;
+  return static_cast<std::uint64_t>(links * std::min(1.0, at_error / target_error));
+}
+
 PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
                        std::span<const Cluster> clusters) {
   const Spectrum emitted = emitted_power(scene, clusters);
@@ -121,7 +126,7 @@ PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
   plan.epsilon = config.epsilon;
   plan.tolerance = config.tolerance;
   plan.target_error = config.target_error;
-  plan.patch_links = config.patch_links;
+  plan.patch_links = config.most_patch_links();
   plan.max_iterations = config.max_iterations;
   return plan;
 }

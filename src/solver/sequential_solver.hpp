@@ -2,6 +2,7 @@
 // messages or simulated machines. All parallel schemes are tested against it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,17 +14,25 @@
 
 namespace enfilade {
 
+/// Returns 200,000 where at most 2% is asked for, and in inverse proportion to a larger target
+/// error: who asks for less pays less.
+std::uint64_t default_patch_links(double target_error);
+
 struct SolverConfig {
   double target_error = 0.02;  ///< relative, area-weighted L1 of the irradiance
   double epsilon = 0.0;        ///< link tolerance over emitted power; 0 = from target_error
   double tolerance = 0.0;      ///< relative change to stop at; 0 = from target_error
   /// With more links than this, target_error does not apply to values read off patches; 0 = no
-  /// limit.
-  std::uint64_t patch_links = 200000;
+  /// limit; none: default_patch_links().
+  std::optional<std::uint64_t> patch_links{};
   int max_iterations = 200;
   GatherSettings gather;
   IterationMethod method;
   Hierarchy hierarchy = Hierarchy::building;
+
+  std::uint64_t most_patch_links() const {
+    return patch_links.value_or(default_patch_links(target_error));
+  }
 };
 
 /// Returns the PlanConfig of a solve, from the solver's configuration and the scene's emitted

@@ -16,7 +16,8 @@ constexpr SubcommandText help_text{
     "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
     "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
     "irradiance\n"
-    "on a plane through p with normal n, per band, in the unit that the answer names."};
+    "on a plane through p with normal n, per band, in the unit that the answer names; error is\n"
+    "one standard deviation of it: noise of the rays, and the estimated error of the solution."};
 
 struct ProbeOptions {
   std::string run, points, output, from = "gather";
@@ -27,13 +28,19 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   check_output_file(options.output);
   const std::vector<Probe> probes = read_probes(options.points);
   const SolvedRun run(options.run, options.gather);
-  const std::vector<Spectrum> answers =
+  const ProbeAnswers found =
       irradiance_at(run, probes, probe_method(options.from), console.progress());
-  write_probe_answers(options.points, options.output, answers, options.from,
+  write_probe_answers(options.points, options.output, found.answers, options.from,
                       run.prepared().scene.unit);
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));
   table.add("unit", irradiance_label(run.prepared().scene.unit));
+  if (found.in_the_open > 0)
+    table.add("see nothing", with_thousands(found.in_the_open) + ": no surface faces them");
+  if (found.behind > 0) {
+    table.add("lie behind", with_thousands(found.behind) +
+                                ": most of what they see is backs, as in a wall or under a floor");
+  }
   console.print(table.text());
 }
 

@@ -105,7 +105,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
   write_file_atomically(directory + "solution.glb", solution_glb(solved));
   if (const auto& probes = solved.scene.probes; !probes.empty()) {
     write_probe_answers(outputs.probe_source, directory + "probes.json",
-                        irradiance_at(run, probes, ProbeMethod::gather, progress), "gather",
+                        irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
                         solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);

@@ -9,13 +9,19 @@
 #include "run/history.hpp"
 #include "run/solution.hpp"
 #include "scene/equal_bands.hpp"
+#include "solver/error_estimate.hpp"
 
 namespace enfilade {
 namespace {
 
-PointGatherConfig with_patch_error(PointGatherConfig config, const std::string& run_directory) {
+/// A point that sees more backs than this is taken to lie behind surfaces.
+constexpr double mostly = 0.5;
+
+PointGatherConfig with_errors(PointGatherConfig config, const std::string& run_directory) {
   const std::vector<IterationSummary> history = committed_iterations(run_directory);
-  if (!history.empty()) config.patch_error = history.back().error.patches;
+  if (history.empty()) return config;
+  config.patch_error = history.back().error.patches;
+  config.reflected_error = reflected_error(history.back());
   return config;
 }
 
@@ -26,8 +32,8 @@ SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory,
     : prepared_(std::move(prepared)),
       solution_(read_solution(run_directory)),
       occluders_(prepared_.clusters),
-      gather_(solution_, prepared_.scene.lights, occluders_,
-              with_patch_error(config, run_directory)) {}
+      gather_config_(with_errors(config, run_directory)),
+      gather_(solution_, prepared_.scene.lights, occluders_, gather_config_) {}
 
 ProbeMethod probe_method(const std::string& name) {
   if (name == "gather") return ProbeMethod::gather;
@@ -36,17 +42,32 @@ ProbeMethod probe_method(const std::string& name) {
                    "use gather or patches");
 }
 
-std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
-                                    ProbeMethod method, const Progress& progress) {
-  std::vector<Spectrum> answers(probes.size());
-  std::atomic<std::size_t> next{0};
+ProbeAnswers irradiance_at(const SolvedRun& run, std::span<const Probe> probes, ProbeMethod method,
+                           const Progress& progress) {
+  ProbeAnswers found;
+  found.answers.resize(probes.size());
+  std::atomic<std::size_t> next{0}, in_the_open{0}, behind{0};
+  const auto gather = [&](const Probe& probe) {
+    PointIrradiance light = run.gather().at(probe.p, probe.n);
+    if (light.back_share > mostly) {
+      ++behind;
+    } else if (light.front_share == 0.0) {
+      ++in_the_open;
+    }
+    return light;
+  };
+  const auto read_off = [&](const Probe& probe) {
+    PointIrradiance light{run.gather().from_patches(probe.p, probe.n), {}};
+    for (const double e : light.irradiance) light.error.push_back(run.patch_error() * e);
+    return light;
+  };
   const auto work = [&](bool reports) {
     for (std::size_t i = next++; i < probes.size(); i = next++) {
-      const Probe& probe = probes[i];
-      answers[i] =
-          in_bands_of_file(run.prepared().scene, method == ProbeMethod::gather
-                                                     ? run.gather().irradiance(probe.p, probe.n)
-                                                     : run.gather().from_patches(probe.p, probe.n));
+      const PointIrradiance light =
+          method == ProbeMethod::gather ? gather(probes[i]) : read_off(probes[i]);
+      const Scene& scene = run.prepared().scene;
+      found.answers[i] = {in_bands_of_file(scene, light.irradiance),
+                          in_bands_of_file(scene, light.error)};
       if (!reports) continue;
       report_progress(progress, "probe",
                       static_cast<double>(i + 1) / static_cast<double>(probes.size()));
@@ -57,7 +78,9 @@ std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe>
     others.emplace_back(work, false);
   work(true);
   others.clear();
-  return answers;
+  found.in_the_open = in_the_open;
+  found.behind = behind;
+  return found;
 }
 
 }  // namespace enfilade

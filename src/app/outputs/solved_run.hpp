@@ -10,6 +10,7 @@
 #include "occluders/occluders.hpp"
 #include "report/pictures/solved_scene.hpp"
 #include "run/prepare.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -27,6 +28,8 @@ class SolvedRun {
 
   const Prepared& prepared() const { return prepared_; }
   const PointGather& gather() const { return gather_; }
+  /// Relative error of the light of patches, as estimated.
+  double patch_error() const { return gather_config_.patch_error; }
   /// For pictures, tables and models; refers to this object.
   SolvedScene solved_scene() const {
     return {prepared_.scene, prepared_.cells, prepared_.clusters, solution_, occluders_};
@@ -36,6 +39,7 @@ class SolvedRun {
   Prepared prepared_;
   std::vector<ClusterState> solution_;
   Occluders occluders_;
+  PointGatherConfig gather_config_;
   PointGather gather_;
 };
 
@@ -43,8 +47,16 @@ enum class ProbeMethod { gather, patches };
 /// Of "gather" or "patches"; InputError for any other word.
 ProbeMethod probe_method(const std::string& name);
 
-/// Returns the irradiance per band at each probe.
-std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe> probes,
-                                    ProbeMethod method, const Progress& progress = {});
+/// The light at points, and what is odd about the points.
+struct ProbeAnswers {
+  std::vector<ProbeAnswer> answers;
+  std::size_t in_the_open = 0;  ///< points that see no surface's front
+  std::size_t behind = 0;       ///< points that mostly see backs: in a wall, under a floor
+};
+
+/// Returns the irradiance per band of the file at each probe. By gathering, the error is that of
+/// the point; read off patches, it is the estimated error of all patches.
+ProbeAnswers irradiance_at(const SolvedRun& run, std::span<const Probe> probes, ProbeMethod method,
+                           const Progress& progress = {});
 
 }  // namespace enfilade

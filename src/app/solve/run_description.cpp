@@ -23,7 +23,7 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("scene_hash", hash_text(prepared.scene.hash));
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("target_error", config.target_error);
-  record.set("patch_links", config.patch_links);
+  record.set("patch_links", config.most_patch_links());
   record.set("coarse_correction", config.method.coarse_correction);
   describe_strategies(record, config);
 }

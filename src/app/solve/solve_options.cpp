@@ -68,12 +68,10 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   group.add("--target-error", o.target_error,
             "Error to reach: relative, area-weighted L1 of the irradiance (0.02 = 2%)",
             number_between(0.0, 1.0));
-  group
-      .add("--patch-links", o.patch_links,
-           "Hold what is read off patches (surfaces.csv, pictures, model) to the target error "
-           "as well, until there are more links than this; past it only light gathered for "
-           "(probe) is. 0: whatever it takes")
-      ->capture_default_str();
+  group.add("--patch-links", o.patch_links,
+            "Hold what is read off patches (surfaces.csv, pictures, model) to the target error as "
+            "well, until there are more links than this; past it only light gathered for (probe) "
+            "is. 0: whatever it takes; default: 200000, fewer where more than 2% is asked");
   group
       .add("--epsilon", o.epsilon,
            "Refine links whose error is above this share of the emitted power; default: what the "

@@ -17,7 +17,7 @@ struct SolveOptions {
   std::string replay;  ///< RUN whose recorded gathers take the place of the kernels
   double target_error = SolveConfig{}.target_error;
   double epsilon = 0.0, tolerance = 0.0;
-  std::uint64_t patch_links = SolveConfig{}.patch_links;
+  std::optional<std::uint64_t> patch_links;
   std::string basis = "linear", scheme = "spmd", assignment = "kmeans",
               order = "travelling-salesman";
   std::string oracle = "error", visibility = "exact";

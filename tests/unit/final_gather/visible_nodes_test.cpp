@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/random.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
@@ -111,6 +114,64 @@ TEST(VisibleNodes, CoverThePolygon) {
     }
     EXPECT_LE(glm::length(q), reach + 1e-9);
   }
+}
+
+/// Wires before a lamp, more than are cut out of the whole lamp: the factor is that of the gaps.
+TEST(VisibleNodes, FindAPolygonBehindManyOthersByParts) {
+  constexpr int wires = 40;
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.0});
+  Surface lamp;
+  lamp.vertices = {{1, 1, 2.9}, {1, 2, 2.9}, {2, 2, 2.9}, {2, 1, 2.9}};
+  lamp.reflectance = {0.0};
+  lamp.exitance = {500.0};
+  scene.surfaces.push_back(lamp);
+  for (int i = 0; i < wires; ++i) {
+    const double x = 1.0 + (i + 0.5) / wires;
+    Surface wire;
+    wire.vertices = {
+        {x - 0.004, 0.5, 2}, {x + 0.004, 0.5, 2}, {x + 0.004, 2.5, 2}, {x - 0.004, 2.5, 2}};
+    wire.reflectance = {0.0};
+    scene.surfaces.push_back(wire);
+  }
+  for (Surface& s : scene.surfaces) s.exitance.resize(1, 0.0);
+  const testing::Solved solved(scene, Basis::linear, 1e-3);
+  constexpr std::uint32_t lamp_cluster = 6;
+  const PatchForest& forest = solved.states[lamp_cluster].patches();
+  const Vec3 p(1.6, 1.4, 0.3);
+  // Seen from p, a wire hides a strip of the lamp; what is left are the gaps.
+  const Polygon& whole = solved.clusters[lamp_cluster].polygons[0].polygon;
+  double want = point_to_polygon(p, up, whole);
+  const double stretch = (2.9 - p.z) / (2.0 - p.z);
+  for (int i = 0; i < wires; ++i) {
+    const double x = 1.0 + (i + 0.5) / wires;
+    const double lo = std::clamp(p.x + stretch * (x - 0.004 - p.x), 1.0, 2.0);
+    const double hi = std::clamp(p.x + stretch * (x + 0.004 - p.x), 1.0, 2.0);
+    const Polygon hidden{{lo, 1, 2.9}, {lo, 2, 2.9}, {hi, 2, 2.9}, {hi, 1, 2.9}};
+    if (hi > lo) want -= point_to_polygon(p, up, hidden);
+  }
+  VisibleNodes visible(solved.occluders);
+  Random random(7);
+  VisibleNode exact{0};
+  const double none = visible.find_by_parts(p, up, RayScene::no_polygon, ClusterId(lamp_cluster),
+                                            forest, 0, 1e9, 0.0, random, exact);
+  EXPECT_NEAR(exact.factor, want, 1e-9);
+  EXPECT_EQ(none, 0.0);
+  // Sampled as a whole: unbiased (Student's t), and as noisy as it says.
+  constexpr int trials = 2000;
+  double sum = 0.0, square = 0.0, variance = 0.0;
+  for (int i = 0; i < trials; ++i) {
+    VisibleNode sampled{0};
+    variance += visible.find_by_parts(p, up, RayScene::no_polygon, ClusterId(lamp_cluster), forest,
+                                      0, 1e9, 1.0, random, sampled) /
+                trials;
+    sum += sampled.factor / trials;
+    square += sampled.factor * sampled.factor / trials;
+  }
+  const double true_variance = square - sum * sum;
+  // A ray stands for the mean factor of the lamp, which hides little variation at this distance.
+  EXPECT_NEAR(sum, want, 4.0 * std::sqrt(true_variance / trials) + 5e-3 * want);
+  EXPECT_GT(variance, 0.5 * true_variance);
+  EXPECT_LT(variance, 4.0 * true_variance);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(ProbeFile, AnswersKeepWhatTheFileHeld) {
   EXPECT_EQ(probes[0].p, Vec3(1, 0, 0));
   EXPECT_EQ(probes[0].n, Vec3(0, 0, 1));
   const std::string path = folder.file("a.json");
-  write_probe_answers(source, path, {{1.5, 2.5}, {0.0, 1e-9}}, "gather",
+  write_probe_answers(source, path, {{{1.5, 2.5}, {0.1, 0.2}}, {{0.0, 1e-9}, {0.0, 0.0}}}, "gather",
                       ExitanceUnit::lumen_per_m2);
   const auto answer = nlohmann::json::parse(std::ifstream(path));
   EXPECT_EQ(answer["author"], "me");
@@ -82,14 +82,15 @@ TEST(ProbeFile, AnswersKeepWhatTheFileHeld) {
   EXPECT_EQ(answer["unit"], "lx");
   EXPECT_EQ(answer["probes"][0]["label"], "desk");
   EXPECT_EQ(answer["probes"][0]["E"], (std::vector<double>{1.5, 2.5}));
+  EXPECT_EQ(answer["probes"][0]["error"], (std::vector<double>{0.1, 0.2}));
   EXPECT_EQ(answer["probes"][1]["E"], (std::vector<double>{0.0, 1e-9}));
 }
 
 TEST(ProbeFile, ProbesOfASceneLeaveItsGeometryBehind) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.json");
-  write_probe_answers(test_data("thin_gap.json"), path, {{1.0, 1.0, 1.0}}, "patches",
-                      ExitanceUnit::watt_per_m2);
+  write_probe_answers(test_data("thin_gap.json"), path, {{{1.0, 1.0, 1.0}, {0.1, 0.1, 0.1}}},
+                      "patches", ExitanceUnit::watt_per_m2);
   const auto answer = nlohmann::json::parse(std::ifstream(path));
   EXPECT_FALSE(answer.contains("surfaces"));
   EXPECT_EQ(answer["probes"][0]["surface"], "b");
@@ -102,6 +103,7 @@ TEST(ProbeFile, FaultsNameTheirKey) {
     return input_error([&] { read_probes(folder.write("p.json", text)); });
   };
   EXPECT_THAT(fault("{}"), HasSubstr("top level: has no \"probes\""));
+  EXPECT_THAT(fault(R"({"probes": []})"), HasSubstr("probes: is empty"));
   EXPECT_THAT(fault("[]"), HasSubstr("top level: is [], not an object"));
   EXPECT_THAT(fault(R"({"probes": [{"p": [0,0,0]}]})"), HasSubstr("probes[0]: has no \"n\""));
   EXPECT_THAT(fault(R"({"probes": [{"p": [0,0,NaN], "n": [0,0,1]}]})"),
