@@ -1,4 +1,4 @@
-#include "import/radiance_import.hpp"
+#include "import/radiance/radiance_import.hpp"
 #include "import/import_model.hpp"
 
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "import/radiance_material.hpp"
+#include "import/radiance/radiance_material.hpp"
 
 #include <numbers>
 

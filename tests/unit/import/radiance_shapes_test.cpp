@@ -1,4 +1,4 @@
-#include "import/radiance_shapes.hpp"
+#include "import/radiance/radiance_shapes.hpp"
 
 #include <numbers>
 

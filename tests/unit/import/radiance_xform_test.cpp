@@ -1,4 +1,4 @@
-#include "import/radiance_xform.hpp"
+#include "import/radiance/radiance_xform.hpp"
 
 #include "unit/scene/test_scenes.hpp"
 
