@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "base/error.hpp"
 #include "import/gltf/gltf_import.hpp"
@@ -45,6 +46,15 @@ Reader reader_for(const std::string& extension) {
   return nullptr;
 }
 
+/// A model may have one material or part in many places: each thing is told once.
+Warnings without_repeats(const Warnings& warnings) {
+  Warnings once;
+  std::set<std::pair<std::string, std::string>> told;
+  for (const Warning& w : warnings.all())
+    if (told.emplace(w.where, w.what).second) once.add(w.where, w.what);
+  return once;
+}
+
 }  // namespace
 
 Scene import_model(const std::vector<std::string>& paths, const ImportOptions& options,
@@ -60,7 +70,7 @@ Scene import_model(const std::vector<std::string>& paths, const ImportOptions& o
   const auto work = [&] {
     Warnings found;
     const Scene scene = reader(paths, options, found);
-    return bytes_of(scene, found);
+    return bytes_of(scene, without_repeats(found));
   };
   return scene_from(in_own_process(paths[0], {}, work), warnings);
 }

@@ -32,13 +32,19 @@ std::vector<Vec2> ring_of(const Geos& geos, const GEOSGeometry* polygon) {
   return ring;
 }
 
-std::vector<Vec2> straightened(const std::vector<Vec2>& ring) {
+/// Without points that repeat their neighbour, nor such on a straight line between theirs.
+std::vector<Vec2> straightened(std::vector<Vec2> ring) {
+  for (std::size_t i = 0; i < ring.size();) {
+    if (glm::length(ring[(i + 1) % ring.size()] - ring[i]) < same_m)
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& before = kept.empty() ? ring.back() : kept.back();
     const Vec2 way = ring[(i + 1) % ring.size()] - before;
-    const double length = glm::length(way);
-    if (length > 0.0 && std::abs(cross2(way, ring[i] - before)) > same_m * length)
+    if (std::abs(cross2(way, ring[i] - before)) > same_m * glm::length(way))
       kept.push_back(1e-4 * glm::round(1e4 * ring[i]));
   }
   return kept;

@@ -15,26 +15,53 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Makes closed shells face outward, and tells whether the mesh is one: the area vectors of a
-/// closed surface that faces one way sum to nothing.
-bool turn_closed_outward(ModelMesh& mesh) {
-  Vec3 sum(0.0);
+/// What tells whether faces close a volume: the area vectors of a closed surface that faces one way
+/// sum to nothing.
+struct Closure {
+  Vec3 vectors{0.0};
   double area = 0.0, volume = 0.0;
-  const Vec3 origin = mesh.points.empty() ? Vec3(0.0) : mesh.points[0];
-  for (const IndexLoop& t : mesh.faces) {
-    const Vec3 a = mesh.points[t[0]] - origin, b = mesh.points[t[1]] - origin,
-               c = mesh.points[t[2]] - origin;
-    const Vec3 twice = glm::cross(b - a, c - a);
-    sum += twice;
-    area += glm::length(twice);
-    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+
+  void add(const ModelMesh& mesh, const Vec3& origin) {
+    for (const IndexLoop& t : mesh.faces) {
+      const Vec3 a = mesh.points[t[0]] - origin, b = mesh.points[t[1]] - origin,
+                 c = mesh.points[t[2]] - origin;
+      const Vec3 twice = glm::cross(b - a, c - a);
+      vectors += twice;
+      area += glm::length(twice);
+      volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    }
   }
-  if (glm::length(sum) > 1e-3 * area || std::abs(volume) < 1e-6 * std::pow(0.5 * area, 1.5))
-    return false;
-  if (volume < 0.0) {
+  bool closed() const {
+    return glm::length(vectors) <= 1e-3 * area &&
+           std::abs(volume) >= 1e-6 * std::pow(0.5 * area, 1.5);
+  }
+};
+
+/// Makes closed bodies face outward; what closes none, neither by itself nor with the other parts
+/// of its product, gets two sides.
+void turn_outward(std::vector<std::pair<ModelMesh, ModelMaterial>>& parts) {
+  const auto turn = [](ModelMesh& mesh) {
     for (IndexLoop& t : mesh.faces) std::reverse(t.begin(), t.end());
+  };
+  const auto origin_of = [](const ModelMesh& mesh) {
+    return mesh.points.empty() ? Vec3(0.0) : mesh.points[0];
+  };
+  Closure rest;
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Closure closure;
+    closure.add(parts[i].first, origin_of(parts[i].first));
+    if (!closure.closed()) {
+      open.push_back(i);
+      rest.add(parts[i].first, origin_of(parts[open[0]].first));
+    } else if (closure.volume < 0.0) {
+      turn(parts[i].first);
+    }
   }
-  return true;
+  for (const std::size_t i : open) {
+    parts[i].second.two_sided = !rest.closed();
+    if (rest.closed() && rest.volume < 0.0) turn(parts[i].first);
+  }
 }
 
 Vec3 point_of(const Json& p) { return {p.at(0), p.at(1), p.at(2)}; }
@@ -98,8 +125,10 @@ class IfcReader {
 
   void add_element(const Json& element) {
     if (options_.open_doors && element.at("type").get<std::string>().starts_with("IfcDoor")) return;
+    std::vector<std::pair<ModelMesh, ModelMaterial>> parts;
     for (const Json& part : element.at("parts")) {
-      ModelMesh mesh;
+      auto& [mesh, material] = parts.emplace_back();
+      material = material_of(element, part);
       mesh.name = element.at("name");
       mesh.object = element.at("object");
       const Json &points = part.at("points"), &corners = part.at("triangles");
@@ -113,10 +142,9 @@ class IfcReader {
         ENFILADE_CHECK(std::max({loop[0], loop[1], loop[2]}) < mesh.points.size(), mesh.object);
         mesh.faces.push_back(std::move(loop));
       }
-      ModelMaterial material = material_of(element, part);
-      material.two_sided = !turn_closed_outward(mesh);
-      surfaces_.add(mesh, material);
     }
+    turn_outward(parts);
+    for (const auto& [mesh, material] : parts) surfaces_.add(mesh, material);
   }
 
   ModelMaterial material_of(const Json& element, const Json& part) {

@@ -23,7 +23,7 @@ class LibraryReader {
       if (key == "newmtl") {
         finish();
         begin(lines);
-      } else if (name_.empty()) {
+      } else if (!open_) {
         lines.fail(in_quotes(std::string(key.substr(0, 40))) + " stands before any newmtl",
                    "begin each material with newmtl and its name");
       } else {
@@ -43,7 +43,7 @@ class LibraryReader {
 
   void begin(const TextLines& lines) {
     name_ = lines.rest();
-    if (name_.empty()) lines.fail("newmtl names no material", "write its name");
+    open_ = true;
     where_ = "material " + in_quotes(name_);
     draft_ = {};
   }
@@ -123,7 +123,7 @@ class LibraryReader {
   }
 
   void finish() {
-    if (name_.empty()) return;
+    if (!open_) return;
     ModelMaterial material;
     material.name = name_;
     material.open = draft_.opacity < 0.5;
@@ -142,12 +142,13 @@ class LibraryReader {
     }
     material.reflectance = reflectance_of(draft_.diffuse, where_, warnings_);
     materials_[name_] = std::move(material);
-    name_.clear();
+    open_ = false;
   }
 
   ModelFiles& files_;
   Warnings& warnings_;
   std::map<std::string, ModelMaterial>& materials_;
+  bool open_ = false;  ///< a material is being read
   std::string name_, where_;
   Draft draft_;
 };

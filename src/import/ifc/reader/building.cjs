@@ -49,7 +49,7 @@ function roomsOf(model, storeys, warn) {
 function glassOf(model, id, parts, optics) {
   const told = model.number(id, n => /^visible ?(light)? ?transmittance$/i.test(n)) ?? optics.get(id)?.transmittance;
   if (told !== undefined) return told;
-  const clear = (parts ?? []).filter(part => part.colour[3] < 0.5);
+  const clear = (parts ?? []).filter(part => (part.colour?.[3] ?? 1) < 0.5);
   return clear.length ? 1 - Math.max(...clear.map(part => part.colour[3])) : -1;
 }
 

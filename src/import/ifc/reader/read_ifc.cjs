@@ -49,8 +49,18 @@ async function read(bytes) {
     elements.push({type: model.typeName(id), name: model.text(model.line(id)?.Name),
                    object: `${model.typeName(id)}/${id}${storey ? '@' + storey : ''}`, reflectance, transmittance, parts});
   }
-  return {schema: model.schema, elements, rooms: roomsOf(model, storeys, warn),
-          portals: portalsOf(model, shapes, optics), luminaires: luminairesOf(model, shapes, warn), warnings};
+  // What cannot be read beside the shapes costs no more than itself.
+  const attempt = (what, find) => {
+    try {
+      return find();
+    } catch {
+      warn(what, 'cannot be read from this model: left out');
+      return [];
+    }
+  };
+  return {schema: model.schema, elements, rooms: attempt('rooms', () => roomsOf(model, storeys, warn)),
+          portals: attempt('portals', () => portalsOf(model, shapes, optics)),
+          luminaires: attempt('luminaires', () => luminairesOf(model, shapes, warn)), warnings};
 }
 
 /** True where a product is more than an axis, a plan or a light source: it has a body, or a surface. */
