@@ -1,5 +1,4 @@
 #include "import/radiance/radiance_import.hpp"
-#include "import/import_model.hpp"
 
 #include <numbers>
 
@@ -23,7 +22,7 @@ struct Imported {
 Imported import_text(const std::string& text) {
   const TemporaryFolder folder;
   Warnings warnings;
-  Scene scene = import_model(folder.write("room.rad", text), warnings);
+  Scene scene = import_radiance({folder.write("room.rad", text)}, {}, warnings);
   return {std::move(scene), all_warnings(warnings)};
 }
 
@@ -99,14 +98,14 @@ TEST(RadianceImport, ATextureMayStandBetweenShapeAndMaterial) {
 TEST(RadianceImport, WarningsNameWhatIsLost) {
   const auto [scene, warnings] =
       import_text(grey +
-                  "void glass pane 0 0 3 .9 .9 .9\nvoid glass unused 0 0 3 .9 .9 .9\n"
+                  "void mirror pane 0 0 3 .9 .9 .9\nvoid mirror unused 0 0 3 .9 .9 .9\n"
                   "pane" +
                   triangle + "pane" + triangle +
                   "void polygon ghost 0 0 9 0 0 0 1 0 0 0 1 0\n"
                   "grey source sky 0 0 4 0 0 1 180\nvoid mesh chair 1 'a b.rtm' 0 0\n");
   EXPECT_EQ(scene.surfaces.size(), 2u);
   EXPECT_EQ(warnings,
-            "\"pane\": glass: taken as black and opaque (reflectance 0)\n"
+            "\"pane\": mirror: taken as black and opaque (reflectance 0)\n"
             "\"ghost\": no material (void): left out, light passes\n"
             "source \"sky\", mesh \"chair\": left out, as a scene can't hold it (2 in all)\n");
 }
@@ -120,7 +119,7 @@ TEST(RadianceImport, XformTakesInFilesRelativeToTheOneThatNamesThem) {
       "room.rad",
       grey + "!xform -n desk -rz 90 \\\n  -t 0 0 5 parts/desk.rad\n!xform parts/leg.rad");
   Warnings warnings;
-  const Scene scene = import_model(path, warnings);
+  const Scene scene = import_radiance({path}, {}, warnings);
   ASSERT_EQ(scene.surfaces.size(), 3u);
   const Surface& leg = scene.surfaces[0];
   EXPECT_EQ(leg.name, "desk.left.leg");
@@ -132,7 +131,8 @@ TEST(RadianceImport, XformTakesInFilesRelativeToTheOneThatNamesThem) {
   EXPECT_GT(normal(scene.surfaces[1].vertices).z, 0.999);
   EXPECT_EQ(scene.surfaces[2].object, "leg");
   folder.write("parts/leg.rad", "grey polygon leg 0 0 9 0 0 0 1 0 0 0 2 0\n");
-  EXPECT_NE(import_model(path, warnings).hash, scene.hash);  // what is taken in counts as well
+  EXPECT_NE(import_radiance({path}, {}, warnings).hash,
+            scene.hash);  // what is taken in counts as well
 }
 
 TEST(RadianceImport, CyclesAndDepthEnd) {
@@ -140,12 +140,12 @@ TEST(RadianceImport, CyclesAndDepthEnd) {
   Warnings warnings;
   folder.write("b.rad", "\n!xform ./a.rad\n");
   const std::string a = folder.write("a.rad", "!xform b.rad\n");
-  EXPECT_THAT(input_error([&] { import_model(a, warnings); }),
+  EXPECT_THAT(input_error([&] { import_radiance({a}, {}, warnings); }),
               HasSubstr("b.rad: line 2: \"./a.rad\" takes in itself; break the cycle"));
   for (int i = 0; i < 40; ++i) {
     folder.write("d" + std::to_string(i) + ".rad", "!xform d" + std::to_string(i + 1) + ".rad\n");
   }
-  EXPECT_THAT(input_error([&] { import_model(folder.file("d0.rad"), warnings); }),
+  EXPECT_THAT(input_error([&] { import_radiance({folder.file("d0.rad")}, {}, warnings); }),
               HasSubstr("d31.rad: line 1: files take in others more than 32 deep"));
 }
 
@@ -154,8 +154,8 @@ TEST(RadianceImport, FaultsNameTheirLine) {
     return input_error([&] { import_text(text); });
   };
   EXPECT_THAT(
-      fault(grey + "\n!genbox grey b 1 1 1\n"),
-      HasSubstr("room.rad: line 3: the command \"!genbox grey b 1 1 1\" is not carried out"));
+      fault(grey + "\n!gensurf grey b 1 1 1\n"),
+      HasSubstr("room.rad: line 3: the command \"!gensurf grey b 1 1 1\" is not carried out"));
   EXPECT_THAT(fault(grey + "!xform gone.rad"), HasSubstr("line 2: \"gone.rad\" does not exist"));
   EXPECT_THAT(fault(grey + "pink" + triangle),
               HasSubstr("line 2: polygon \"tri\" names \"pink\", which is not defined; define"));
@@ -174,6 +174,92 @@ TEST(RadianceImport, FaultsNameTheirLine) {
   EXPECT_THAT(fault(grey + "grey sphere 's 0 0 4\n0 0 0 1\n"), HasSubstr("line 2: a quotation"));
   EXPECT_THAT(fault(grey), HasSubstr("room.rad: file: holds no polygons"));
   EXPECT_THAT(fault(""), HasSubstr("is empty"));
+}
+
+double area_of(const Scene& scene) {
+  double area = 0.0;
+  for (const Surface& surface : scene.surfaces) area += area_m2(surface.vertices);
+  return area;
+}
+
+TEST(RadianceImport, GeneratorsArraysAndPipes) {
+  const auto [scene, warnings] =
+      import_text(grey +
+                  "!genbox grey desk 2 1 .5 | xform -n left -rz 90 -a 3 -t 0 2 0 -a 2 -t 5 0 0\n"
+                  "!genprism grey wedge 3 0 0 1 0 0 1 -l 0 0 2\n!gensky 3 21 12\n");
+  ASSERT_EQ(scene.surfaces.size(), 3u * 2u * 6u + 5u);
+  EXPECT_NEAR(area_of(scene), 6.0 * 7.0 + 1.0 + 2.0 * (2.0 + std::sqrt(2.0)), 1e-9);
+  EXPECT_EQ(scene.surfaces[0].object, "left");
+  EXPECT_EQ(scene.surfaces[0].name, "left.desk");
+  Box box;
+  for (std::size_t i = 0; i < 36; ++i) box.add(bounds(scene.surfaces[i].vertices));
+  EXPECT_LT(glm::length(box.lo - Vec3(-1, 0, 0)), 1e-12);
+  EXPECT_LT(glm::length(box.hi - Vec3(5, 6, 0.5)), 1e-12);
+  EXPECT_THAT(warnings, HasSubstr("!gensky: left out"));
+}
+
+TEST(RadianceImport, SeveralFilesAreOneModelInTheUnitThatIsAskedFor) {
+  const TemporaryFolder folder;
+  const std::string materials = folder.write("materials.rad", grey);
+  const std::string room = folder.write("room.rad", "grey" + triangle);
+  Warnings warnings;
+  ImportOptions options;
+  options.units = "mm";
+  const Scene scene = import_radiance({materials, room}, options, warnings);
+  EXPECT_NEAR(area_of(scene), 0.5e-6, 1e-15);
+}
+
+TEST(RadianceImport, MixturesAndGlass) {
+  const auto [scene, warnings] = import_text(
+      grey +
+      "void plastic white 0 0 5 .9 .9 .9 0 0\nvoid mixfunc blend 4 grey white .25 . 0 0\n"
+      "void mixfunc sieve 4 grey void .3 . 0 0\nvoid glass clear 0 0 3 .96 .96 .96\n"
+      "void glass dark 0 0 3 .3 .3 .3\nblend" +
+      triangle + "sieve" + triangle + "clear" + triangle + "dark" + triangle);
+  ASSERT_EQ(scene.surfaces.size(), 2u);
+  EXPECT_NEAR(scene.surfaces[0].reflectance[0], 0.25 * 0.5 + 0.75 * 0.9, 1e-12);
+  EXPECT_EQ(scene.surfaces[1].reflectance[0], 0.0);
+  EXPECT_THAT(warnings, HasSubstr("\"sieve\": mixfunc: more than half open: left out"));
+  EXPECT_THAT(warnings, HasSubstr("\"clear\": glass of transmittance 88 %: left out"));
+  EXPECT_THAT(warnings, HasSubstr("\"dark\": glass of transmittance 28 %: taken as black"));
+}
+
+// A cosine of 2 W/sr on the axis, in steps of 9 degrees, sends out 2 pi W; over both halves of a
+// sphere, an intensity of 3 W/sr sends out 12 pi W.
+TEST(RadianceImport, DistributionsKeepTheirFlux) {
+  const TemporaryFolder folder;
+  std::string data = "1\n0 90 11\n";
+  for (int i = 0; i <= 10; ++i) data += std::to_string(2.0 * std::cos(0.05 * i * pi)) + "\n";
+  folder.write("flat.dat", data);
+  folder.write("all.dat", "2\n0 90 3\n0 180 2\n3 3\n3 3\n3 3\n");
+  const std::string path =
+      folder.write("lamps.rad",
+                   "void brightdata f 4 flatcorr flat.dat source.cal src_theta 0 1 2\n"
+                   "f light down 0 0 3 1 2 1\ndown polygon panel 0 0 12 0 0 3 0 1 3 .5 1 3 .5 0 3\n"
+                   "void brightdata b 5 boxcorr all.dat source.cal src_phi4 src_theta 0 4 1 1 2 3\n"
+                   "b light box 0 0 3 1 1 1\n!genbox box lamp 1 2 3\n");
+  Warnings warnings;
+  const Scene scene = import_radiance({path}, {}, warnings);
+  ASSERT_EQ(scene.surfaces.size(), 7u);
+  EXPECT_NEAR(scene.surfaces[0].exitance[0] * 0.5, 2.0 * pi, 0.02);
+  EXPECT_NEAR(scene.surfaces[0].exitance[1] * 0.5, 4.0 * pi, 0.04);
+  EXPECT_NEAR(scene.surfaces[1].exitance[0] * 22.0, 12.0 * pi, 1e-3);
+  EXPECT_THAT(all_warnings(warnings),
+              HasSubstr("\"down\": distribution of light: its flux is kept"));
+}
+
+TEST(RadianceImport, WhatRepeatsWithoutEndIsRefused) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 25; ++i) {
+    const std::string next = "b" + std::to_string(i + 1) + ".rad\n";
+    folder.write("b" + std::to_string(i) + ".rad", "!xform -t 1 0 0 " + next + "!xform " + next);
+  }
+  folder.write("b25.rad", grey + "grey" + triangle);
+  Warnings warnings;
+  EXPECT_THAT(input_error([&] { import_radiance({folder.file("b0.rad")}, {}, warnings); }),
+              HasSubstr("taken in more than 100000 times"));
+  EXPECT_THAT(input_error([&] { import_text("!xform -t 1 0 0 /dev/zero\n"); }),
+              HasSubstr("line 1: \"/dev/zero\" lies outside the model's folder"));
 }
 
 }  // namespace
