@@ -1,6 +1,7 @@
 #include "import/ifc/ifc_import.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -82,7 +83,8 @@ class IfcReader {
 
   Scene read() {
     const std::string& bytes = files_.read_model();
-    const Json model = parse_json(run_ifc_program(scene_.file, bytes), scene_.file);
+    const Json model = Json::parse(run_ifc_program(scene_.file, bytes), nullptr, false);
+    if (!model.is_object()) fail("ended its reader within its answer", "import it again");
     if (model.contains("fault")) refuse(model["fault"].get<std::string>());
     for (const Json& warning : model.at("warnings")) warnings_.add(warning.at(0), warning.at(1));
     for (const Json& element : model.at("elements")) add_element(element);

@@ -17,7 +17,7 @@ function plain(value) {
 class Model {
   constructor(api, bytes) {
     this.api = api;
-    this.id = api.OpenModel(bytes, {COORDINATE_TO_ORIGIN: false, CIRCLE_SEGMENTS: 24});
+    this.id = api.OpenModel(bytes, {COORDINATE_TO_ORIGIN: false, CIRCLE_SEGMENTS: 32});
     if (this.id < 0) throw new Error('cannot be opened');
     this.schema = api.GetModelSchema(this.id);
   }

@@ -25,6 +25,8 @@ async function read(bytes) {
   const model = new Model(api, bytes);
   const warnings = [], warn = (where, what) => warnings.push([where, what]);
 
+  if (!bytes.subarray(-4096).includes('END-ISO-10303-21'))
+    warn('file', 'ends before END-ISO-10303-21: it is cut off, and what is missing is not known');
   const broken = brokenEntities(bytes);
   const skipped = new Set(model.ids(...withoutMatter));
   const products = model.ids('IFCPRODUCT').filter(id => !skipped.has(id));
