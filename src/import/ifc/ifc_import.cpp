@@ -85,7 +85,7 @@ class IfcReader {
     const std::string& bytes = files_.read_model();
     const Json model = Json::parse(run_ifc_program(scene_.file, bytes), nullptr, false);
     if (!model.is_object()) fail("ended its reader within its answer", "import it again");
-    if (model.contains("fault")) refuse(model["fault"].get<std::string>());
+    if (model.contains("fault")) refuse(model);
     for (const Json& warning : model.at("warnings")) warnings_.add(warning.at(0), warning.at(1));
     for (const Json& element : model.at("elements")) add_element(element);
     for (const Json& room : model.at("rooms")) add_room(room);
@@ -107,7 +107,14 @@ class IfcReader {
     throw InputError(scene_.file, "file", what, hint);
   }
 
-  [[noreturn]] void refuse(const std::string& fault) const {
+  [[noreturn]] void refuse(const Json& answer) const {
+    const std::string fault = answer["fault"];
+    if (fault == "malformed") {
+      throw InputError(
+          scene_.file, "line " + answer.at("line").dump(),
+          "entity #" + answer.at("id").dump() + " " + answer.at("what").get<std::string>(),
+          "export the model anew");
+    }
     if (fault == "no web-ifc") {
       fail("needs web-ifc to be imported, which is not installed",
            "install npm (apt-get install npm), and build Enfilade again");

@@ -1,6 +1,6 @@
 #include "import/ifc/ifc_program.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 
@@ -21,8 +21,12 @@ std::string script() {
   return ENFILADE_IFC_READER_BUILT "/read_ifc.cjs";
 }
 
-/// Node's own limit comes first: past it, V8 ends the program with a line that says so.
-constexpr ProcessLimits limits{std::uint64_t{6} << 30, 570.0};
+/// Node's own limit of memory comes first: past it, V8 ends the program with a line that says so. A
+/// house of 1 MiB takes two seconds; on some faulty files web-ifc has no end.
+ProcessLimits limits_for(std::size_t bytes) {
+  const double mib = static_cast<double>(bytes) / (1 << 20);
+  return {std::uint64_t{6} << 30, std::min(9.0 + 60.0 * mib, 570.0)};
+}
 constexpr const char* heap_limit = "--max-old-space-size=4096";
 constexpr int not_found = 127;
 
@@ -33,6 +37,7 @@ std::string run_ifc_program(const std::string& file, const std::string& bytes) {
     throw InputError(file, "file", what, hint);
   };
   const std::string reader = script();
+  const ProcessLimits limits = limits_for(bytes.size());
   ProgramResult result = run_program({"node", heap_limit, reader}, bytes, limits);
   if (result.exit_status == not_found)
     fail("needs Node.js to be imported, which is not installed",
@@ -42,7 +47,7 @@ std::string run_ifc_program(const std::string& file, const std::string& bytes) {
                       result.errors.find("bad_alloc") != std::string::npos;
   if (result.timed_out)
     fail("takes more than " + std::to_string(static_cast<int>(limits.seconds)) + " s to import",
-         "import parts of the model");
+         "import parts of the model, or export it anew");
   if (memory)
     fail("needs more memory to import than its reader may have", "import parts of the model");
   if (result.signal != 0)

@@ -116,6 +116,22 @@ TEST(ImportModel, OnlyRadianceFilesMakeOneModelTogether) {
               HasSubstr("is a second model"));
 }
 
+TEST(ImportModel, WhatASceneCannotHoldIsRefused) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 2e9\nusemtl l\nf 1 2 3\n";
+  EXPECT_THAT(input_error([&] { import_model(folder.write("far.obj", face), warnings); }),
+              HasSubstr("lies farther away than 1e9 m"));
+  folder.write("l.mtl", "newmtl l\nKd 0 0 0\nKe 1e31 0 0\n");
+  EXPECT_THAT(input_error([&] {
+                import_model(
+                    folder.write("bright.obj",
+                                 "mtllib l.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl l\nf 1 2 3\n"),
+                    warnings);
+              }),
+              HasSubstr("gives more light than 1e30"));
+}
+
 TEST(ImportModel, EachThingIsToldOnce) {
   const TemporaryFolder folder;
   Warnings warnings;

@@ -16,7 +16,7 @@ async function read(bytes) {
   const {IfcAPI, LogLevel} = require('web-ifc');
   const {Model, plain} = require('./model.cjs');
   const {shapesOf} = require('./shapes.cjs');
-  const {brokenEntities} = require('./step_references.cjs');
+  const {brokenEntities} = require('./step_text.cjs');
   const {colourTeller, Storeys, roomsOf, portalsOf, luminairesOf, opticsOf} = require('./building.cjs');
 
   const api = new IfcAPI();
@@ -83,7 +83,8 @@ async function main() {
   if (!bytes.subarray(0, 4096).includes('ISO-10303-21')) return answer({fault: 'no STEP file'});
   const schema = /FILE_SCHEMA\s*\(\s*\(\s*'([^']*)'/i.exec(bytes.subarray(0, 1 << 16).toString('latin1'));
   if (!schema || !/^IFC(2X3|4)/i.test(schema[1])) return answer({fault: 'no known schema'});
-  answer(await read(bytes));
+  const malformed = require('./step_text.cjs').malformedEntity(bytes);
+  answer(malformed ? {fault: 'malformed', ...malformed} : await read(bytes));
 }
 
 main().catch(error => answer({fault: 'cannot be read', detail: String(error?.message ?? error)}));

@@ -185,11 +185,25 @@ TEST_F(IfcImport, MissingEntitiesCostTheirProductAlone) {
   EXPECT_THAT(warnings, HasSubstr("IfcSlab \"slab\": leads to #203, which is not in the file"));
 }
 
+TEST_F(IfcImport, TextThatIsCutOffIsTold) {
+  std::string text =
+      model(wall + "#130=( IFCA(1.) IFCB('(') );\n");  // of several types, well formed
+  EXPECT_THAT(import(text).warnings, testing::Not(HasSubstr("cut off")));
+  text.erase(text.find("ENDSEC;\nEND-ISO"));
+  const Imported cut = import(text);
+  EXPECT_NEAR(area_of(cut.scene), 26.8, 1e-3);
+  EXPECT_THAT(cut.warnings, HasSubstr("file: ends before END-ISO-10303-21: it is cut off"));
+}
+
 TEST_F(IfcImport, FaultsAreOneLine) {
   EXPECT_THAT(fault("hello"), HasSubstr("m.ifc: file: is no STEP file"));
   EXPECT_THAT(fault(model(wall, "CONFIG_CONTROL_DESIGN")),
               HasSubstr("a schema that is not IFC2x3"));
   EXPECT_THAT(fault(model("")), HasSubstr("holds no shapes"));
+  EXPECT_THAT(fault(model("#100=IFCCARTESIANPOINT((0.,.2));\n")),
+              HasSubstr("line 21: entity #100 has a number that begins with its point"));
+  EXPECT_THAT(fault(model("#100=IFCCA000));\n")), HasSubstr("entity #100 closes a parenthesis"));
+  EXPECT_THAT(fault(model("#100=IFCWALL;\n")), HasSubstr("has not one list of attributes"));
   ImportOptions options;
   options.units = "mm";
   EXPECT_THAT(input_error([&] { import(model(wall), options); }), HasSubstr("names its own unit"));
