@@ -201,7 +201,7 @@ TEST_F(IfcImport, FaultsAreOneLine) {
               HasSubstr("a schema that is not IFC2x3"));
   EXPECT_THAT(fault(model("")), HasSubstr("holds no shapes"));
   EXPECT_THAT(fault(model("#100=IFCCARTESIANPOINT((0.,.2));\n")),
-              HasSubstr("line 21: entity #100 has a number that begins with its point"));
+              HasSubstr("line 20: entity #100 has a number that begins with its point"));
   EXPECT_THAT(fault(model("#100=IFCCA000));\n")), HasSubstr("entity #100 closes a parenthesis"));
   EXPECT_THAT(fault(model("#100=IFCWALL;\n")), HasSubstr("has not one list of attributes"));
   ImportOptions options;
