@@ -20,9 +20,12 @@ class StepScan {
     this.begin();
     for (this.at = 0; this.at < bytes.length; ++this.at) {
       const byte = bytes[this.at];
+      if (byte === SLASH && bytes[this.at + 1] === STAR) {
+        this.skipComment();
+        continue;
+      }
       if (byte === LINE) ++this.line;
       else if (byte === QUOTE || byte === DOUBLE_QUOTE) this.skipPast(byte);
-      else if (byte === SLASH && bytes[this.at + 1] === STAR) this.skipComment();
       else if (byte === SEMICOLON) this.end();
       else if (byte === HASH && isDigit(bytes[this.at + 1])) this.number();
       else if (byte === OPEN) ++this.depth;
