@@ -186,8 +186,9 @@ TEST_F(IfcImport, MissingEntitiesCostTheirProductAlone) {
 }
 
 TEST_F(IfcImport, TextThatIsCutOffIsTold) {
-  std::string text =
-      model(wall + "/* #1=( */ #130=( IFCA(1.) IFCB('(') );\n#131=IFCB(#130);\n");  // of several types, well formed
+  std::string text = model(
+      wall + "/* #1=( */ #130=( IFCA(1.) IFCB('(') );\n#131=IFCB(#130);\n");  // of several types,
+                                                                              // well formed
   EXPECT_EQ(import(text).warnings, "\"wall\": has no colour: reflectance taken as 0.5\n");
   text.erase(text.find("ENDSEC;\nEND-ISO"));
   const Imported cut = import(text);
