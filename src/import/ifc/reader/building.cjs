@@ -40,7 +40,8 @@ function roomsOf(model, storeys, warn) {
     if (!parts) warn(`room "${name}"`, 'has no shape: its place is not known');
     const told = model.number(id, n => /^net ?floor ?area$/i.test(n)) ?? model.number(id, n => /^gross ?floor ?area$/i.test(n));
     return {name, longName: model.text(space?.LongName), storey: storeys.nameOf(id), box: boxOf(parts), floor: corners,
-            floorArea: told ?? area, required_lx: model.number(id, (n, set) =>
+            // Areas may be told in any unit; one that is far from the shape's is not in square metres.
+            floorArea: told > 0.5 * area && told < 2 * area ? told : area, required_lx: model.number(id, (n, set) =>
                 /^illuminance$/i.test(n) && /^pset_spacelighting/i.test(set)) ?? 0};
   });
 }
@@ -78,6 +79,23 @@ function fixturesOf(model) {
   return [...new Set(found)];
 }
 
+const prefixes = {EXA: 1e18, PETA: 1e15, TERA: 1e12, GIGA: 1e9, MEGA: 1e6, KILO: 1e3, HECTO: 1e2, DECA: 10, DECI: 0.1,
+                  CENTI: 1e-2, MILLI: 1e-3, MICRO: 1e-6, NANO: 1e-9};
+
+/** Metres in the model's unit of length. Shapes come in metres; places of products do not. */
+function metresPerUnit(model) {
+  const metres = unit => {
+    const factor = model.line(plain(model.line(unit)?.ConversionFactor));
+    if (factor) return Number(plain(factor.ValueComponent)) * metres(plain(factor.UnitComponent));
+    return prefixes[plain(model.line(unit)?.Prefix)] ?? 1;
+  };
+  for (const id of model.ids('IFCUNITASSIGNMENT')) {
+    const unit = [plain(model.line(id)?.Units) ?? []].flat().find(u => plain(model.line(u)?.UnitType) === 'LENGTHUNIT');
+    if (unit) return metres(unit);
+  }
+  return 1;
+}
+
 const fluxNames = /^(total|contributed|initial)? ?(luminous|lamp|luminaire)? ?(luminous)? ?flux$|^lichtstrom$|^lumens?$/i;
 
 /** Luminous flux of the light sources among a fixture's shapes, lm. */
@@ -92,6 +110,7 @@ function sourceFlux(model, id, depth = 0) {
 }
 
 function luminairesOf(model, shapes, warn) {
+  const metres = metresPerUnit(model);
   return fixturesOf(model).map(id => {
     const line = model.line(id), name = model.text(line?.Name), box = boxOf(shapes.get(id));
     const type = (model.types.get(id) ?? []).map(t => model.text(model.line(t)?.Name))[0] ?? model.text(line?.ObjectType);
@@ -99,7 +118,7 @@ function luminairesOf(model, shapes, warn) {
     let place = box && [(box[0][0] + box[1][0]) / 2, (box[0][1] + box[1][1]) / 2, box[0][2] - 0.01];
     if (!place && typeof plain(line?.ObjectPlacement) === 'number') {
       const m = model.api.GetWorldTransformMatrix(model.id, plain(line.ObjectPlacement));
-      place = [m[12], -m[14], m[13]];
+      place = [metres * m[12], metres * m[13], metres * m[14]];
     }
     if (!(flux > 0)) warn(`lamp "${name}"`, 'tells no luminous flux: it stays dark');
     return {name, type: type ?? '', p: place ?? [0, 0, 0], flux_lm: flux > 0 ? flux : 0};

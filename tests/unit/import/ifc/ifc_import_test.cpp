@@ -163,6 +163,32 @@ TEST_F(IfcImport, SpacesBecomeRoomsAndFixturesLights) {
   EXPECT_THAT(warnings, HasSubstr("lamp \"lamp B\": tells no luminous flux"));
 }
 
+TEST_F(IfcImport, FixturesWithoutABodyShineFromTheirPlace) {
+  const std::string place =
+      "#500=IFCCARTESIANPOINT((1000.,2000.,2500.));\n#501=IFCAXIS2PLACEMENT3D(#500,$,$);\n"
+      "#502=IFCLOCALPLACEMENT(#8,#501);\n";
+  // One by the flux of its light source, one by a property of its type.
+  const std::string source =
+      "#510=IFCCOLOURRGB($,1.,1.,1.);\n"
+      "#511=IFCLIGHTSOURCEGONIOMETRIC('n',#510,$,$,#2,$,6000.,2500.,.LIGHTEMITTINGDIODE.,$);\n"
+      "#512=IFCSHAPEREPRESENTATION(#3,'Lighting','LightSource',(#511));\n"
+      "#513=IFCPRODUCTDEFINITIONSHAPE($,$,(#512));\n"
+      "#514=IFCLIGHTFIXTURE('0000000000000000000050',$,'a',$,$,#502,#513,$,$);\n";
+  const std::string typed =
+      "#520=IFCLIGHTFIXTURETYPE('0000000000000000000060',$,'T5',$,$,(#522),$,$,$,.POINTSOURCE.);\n"
+      "#521=IFCPROPERTYSINGLEVALUE('LuminousFlux',$,IFCLUMINOUSFLUXMEASURE(1200.),$);\n"
+      "#522=IFCPROPERTYSET('0000000000000000000061',$,'Lamp',$,(#521));\n"
+      "#523=IFCLIGHTFIXTURE('0000000000000000000062',$,'b',$,$,#502,$,$,$);\n"
+      "#524=IFCRELDEFINESBYTYPE('0000000000000000000063',$,$,$,(#523),#520);\n";
+  const BuildingData building = import(model(wall + place + source + typed)).scene.building;
+  ASSERT_EQ(building.luminaires.size(), 2u);
+  EXPECT_EQ(building.luminaires[0].flux_lm, 2500.0);
+  EXPECT_EQ(building.luminaires[1].flux_lm, 1200.0);
+  EXPECT_EQ(building.luminaires[1].type, "T5");
+  for (const BuildingLuminaire& lamp : building.luminaires)
+    EXPECT_LT(glm::length(lamp.p - Vec3(1, 2, 2.5)), 1e-6);
+}
+
 TEST_F(IfcImport, DoorsMayStandOpen) {
   const std::string door =
       box(300, 1000, 90, 0, 1000, 20, 2000) +

@@ -42,6 +42,14 @@ TEST(OwnProcess, WhateverHappensIsOneLine) {
   EXPECT_THROW(in_own_process("m.x", {}, []() -> Bytes { throw RunError("disk"); }), RunError);
 }
 
+TEST(OwnProcess, MemoryEnds) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's shadow memory knows no limit";
+#endif
+  EXPECT_THAT(error_of([] { return Bytes(std::size_t{1} << 30); }, {std::uint64_t{1} << 26, 60.0}),
+              HasSubstr("needs more than 64 MiB of memory"));
+}
+
 TEST(OwnProcess, TimeEnds) {
   EXPECT_THAT(
       error_of([]() -> Bytes { return ::sleep(60), Bytes(); }, {std::uint64_t{1} << 30, 0.3}),
