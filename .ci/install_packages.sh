@@ -3,10 +3,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# What an installed package provides counts: Node.js from elsewhere brings npm along, and conflicts with Debian's.
+provided=$(dpkg-query -W -f='${db:Status-Abbrev} ${Provides}\n' | sed -n 's/^ii *//p' | sed 's/([^)]*)//g' | tr -s ', \n' '\n')
 wanted=$(sed 's/#.*//' packages.txt | tr -s '[:space:]' ' ')
 missing=()
 for package in $wanted; do
-  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
+    grep -qxF "$package" <<<"$provided" || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
   echo "packages: all of packages.txt is installed"

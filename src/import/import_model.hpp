@@ -2,14 +2,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/warnings.hpp"
+#include "import/intake/import_options.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
 
-/// Imports .gltf, .glb, .obj or .ifc (through Assimp), or .rad (radiance_import.hpp). Emission
-/// becomes exitance, base colour reflectance. Throws InputError.
+/// Imports a .gltf, .glb, .obj, .ifc or .rad model; several files, one after the other, where
+/// they are Radiance's. The reader runs in a process of its own with limits on memory and time.
+/// Throws InputError, also where the reader crashes.
+Scene import_model(const std::vector<std::string>& paths, const ImportOptions& options,
+                   Warnings& warnings);
+/// The same for one file, read as its format has it.
 Scene import_model(const std::string& path, Warnings& warnings);
 
 /// Reads a scene file, or any model that import_model() takes, by the file's extension.

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "base/peak_memory.hpp"
+#include "light_survey/light_survey.hpp"
 #include "preparation/leak_warnings.hpp"
 #include "scene/equal_bands.hpp"
 
@@ -56,6 +57,7 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   PieceReport report;
   const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
   p.covered_area_m2 = report.covered_area_m2;
+  survey_light(p.scene, warnings);
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);
   p.cells = build_cells(pieces, config.cells, leaks);

@@ -8,6 +8,7 @@
 #include "base/ids.hpp"
 #include "base/warnings.hpp"
 #include "geometry/polygon.hpp"
+#include "scene/building.hpp"
 
 namespace enfilade {
 
@@ -52,6 +53,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<PointLight> lights;
   std::vector<Probe> probes;
+  BuildingData building;   ///< filled by importers alone
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
   std::string text;        ///< the very bytes that were hashed, of a file in our own format
 };

@@ -40,8 +40,8 @@ void append_point(std::string& text, const Vec3& p) {
 void append_spectrum(std::string& text, const Spectrum& s) {
   append_numbers(text, s, static_cast<int>(s.size()));
 }
-void append_text(std::string& text, const std::string& value) {
-  text += ordered_json(value).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+void append_text(std::string& text, const ordered_json& value) {
+  text += value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 void append_surface(std::string& text, const Surface& surface) {
@@ -81,6 +81,34 @@ void append_probe(std::string& text, const Probe& probe) {
   text += '}';
 }
 
+ordered_json corners(const Box& box) {
+  return {{box.lo.x, box.lo.y, box.lo.z}, {box.hi.x, box.hi.y, box.hi.z}};
+}
+
+void append_room(std::string& text, const BuildingRoom& room) {
+  ordered_json entry{{"name", room.name}, {"longName", room.long_name}, {"storey", room.storey}};
+  entry["bbox"] = corners(room.box);
+  for (const Vec2& p : room.outline) entry["outline"].push_back({p.x, p.y});
+  if (!room.outline.empty()) entry["z"] = {room.box.lo.z, room.box.hi.z};
+  if (room.floor_area_m2 > 0.0) entry["floorArea"] = room.floor_area_m2;
+  entry["height"] = room.box.extent().z;
+  if (room.required_lx > 0.0) entry["required_lx"] = room.required_lx;
+  append_text(text, entry);
+}
+
+void append_portal(std::string& text, const BuildingPortal& portal) {
+  ordered_json entry{{"kind", portal.kind}, {"name", portal.name}, {"bbox", corners(portal.box)}};
+  if (portal.transmittance >= 0.0) entry["transmittance"] = portal.transmittance;
+  append_text(text, entry);
+}
+
+void append_luminaire(std::string& text, const BuildingLuminaire& lamp) {
+  ordered_json entry{
+      {"name", lamp.name}, {"type", lamp.type}, {"p", {lamp.p.x, lamp.p.y, lamp.p.z}}};
+  if (lamp.flux_lm > 0.0) entry["flux_lm"] = lamp.flux_lm;
+  append_text(text, entry);
+}
+
 // One entry a line: files that people can read and compare.
 template <class Items, class Append>
 void append_list(std::string& text, const char* key, const Items& items, Append append_item) {
@@ -117,10 +145,14 @@ void SceneStream::add(const Surface& surface) {
   if (text_.size() >= flush_bytes) flush();
 }
 
-void SceneStream::finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes) {
+void SceneStream::finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes,
+                         const BuildingData& building) {
   if (any_surface_) text_ += "\n ]";
   append_list(text_, "lights", lights, append_light);
   append_list(text_, "probes", probes, append_probe);
+  append_list(text_, "rooms", building.rooms, append_room);
+  append_list(text_, "portals", building.portals, append_portal);
+  append_list(text_, "luminaires", building.luminaires, append_luminaire);
   text_ += "\n}\n";
   flush();
   // Without the flush to disk a power cut could leave the new name with none of the bytes.

@@ -19,7 +19,8 @@ class SceneStream {
   SceneStream& operator=(const SceneStream&) = delete;
 
   void add(const Surface& surface);
-  void finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes);
+  void finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes,
+              const BuildingData& building = {});
 
  private:
   void flush();

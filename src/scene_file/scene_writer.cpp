@@ -23,7 +23,7 @@ namespace {
 void write_scene(const Scene& scene, const std::string& path) {
   SceneStream stream(path, scene.unit);
   for (const Surface& surface : scene.surfaces) stream.add(surface);
-  stream.finish(scene.lights, scene.probes);
+  stream.finish(scene.lights, scene.probes, scene.building);
 }
 
 void write_file_atomically(const std::string& path, const std::string& text) {

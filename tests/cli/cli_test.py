@@ -358,7 +358,7 @@ void source sun 0 0 4 0 0 1 .5
 
     def test_faults_name_the_line_and_leave_no_output(self):
         for last, line, words in [  # the line of the fault, counted from the first that is added
-                ("!genbox grey box 1 1 1", 0, ["genbox", "xform -e"]),
+                ("!gensurf grey box 1 1 1", 0, ["gensurf", "xform -e"]),
                 ("!xform -t 1 0 0 gone.rad", 0, ["gone.rad", "does not exist"]),
                 ("!xform room.rad", 0, ["takes in itself"]),
                 ("grey poligon p 0 0 0", 0, ["poligon"]),

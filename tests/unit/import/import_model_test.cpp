@@ -77,27 +77,6 @@ TEST(ImportModel, TheSameAsGlbThroughReadScene) {
   expect_lamp_scene(scene, all_warnings(warnings));
 }
 
-TEST(ImportModel, ObjKeepsPolygonsAndReadsItsMaterials) {
-  const TemporaryFolder folder;
-  folder.write("m.mtl",
-               "newmtl wall\nKd 0.2 0.4 0.6\nnewmtl lamp\nKd 0 0 0\nKe 1 2 3\nnewmtl pane\nKd 1 1 "
-               "1\nd 0.1\n");
-  const std::string path =
-      folder.write("m.obj",
-                   "mtllib m.mtl\nv 0 0 0\nv 2 0 0\nv 3 1 0\nv 1.5 3 0\nv 0 1 0\no first\nusemtl "
-                   "wall\nf 1 2 3 4 5\n"
-                   "o second\nusemtl lamp\nf 1 2 3\no third\nusemtl pane\nf 3 4 5\n");
-  Warnings warnings;
-  const Scene scene = read_scene_or_model(path, warnings);
-  ASSERT_EQ(scene.surfaces.size(), 2u);
-  EXPECT_EQ(scene.surfaces[0].vertices.size(), 5u);
-  EXPECT_NEAR(normal(scene.surfaces[0].vertices).y, -1.0, 1e-6);
-  EXPECT_NEAR(scene.surfaces[0].reflectance[1], 0.4, 1e-6);
-  EXPECT_EQ(scene.surfaces[0].object, "first");
-  EXPECT_NEAR(scene.surfaces[1].exitance[1], 2.0 * pi, 1e-5);
-  EXPECT_THAT(all_warnings(warnings), HasSubstr("transparent: left out"));
-}
-
 TEST(ImportModel, ImportedSceneIsWrittenAndReadBack) {
   Warnings warnings;
   const Scene scene = import_model(test_data("lamp.gltf"), warnings);
@@ -117,12 +96,52 @@ TEST(ImportModel, WhatCannotBeImportedIsAClearError) {
     return input_error([&] { import_model(folder.write(name, text), warnings); });
   };
   EXPECT_THAT(fault("a.skp", "x"), HasSubstr("is of no kind that can be imported"));
-  EXPECT_THAT(fault("a.glb", "glTF rubbish"), HasSubstr("cannot be imported"));
+  EXPECT_THAT(fault("a.glb", "glTF rubbish"), HasSubstr("is cut off within its header"));
   EXPECT_THAT(fault("a.gltf", "{}"), HasSubstr("a.gltf: "));
   EXPECT_THAT(fault("a.obj", ""), HasSubstr("is empty"));
   EXPECT_THAT(fault("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), HasSubstr("a.obj: "));
   EXPECT_THAT(input_error([&] { import_model(folder.file("none.obj"), warnings); }),
               HasSubstr("does not exist"));
+}
+
+TEST(ImportModel, OnlyRadianceFilesMakeOneModelTogether) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const std::string materials = folder.write("m.rad", "void plastic g 0 0 5 .5 .5 .5 0 0\n");
+  const std::string room = folder.write("r.rad", "g polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n");
+  EXPECT_EQ(import_model({materials, room}, {}, warnings).surfaces.size(), 1u);
+  EXPECT_THAT(input_error([&] {
+                import_model({test_data("lamp.gltf"), test_data("lamp.gltf")}, {}, warnings);
+              }),
+              HasSubstr("is a second model"));
+}
+
+TEST(ImportModel, WhatASceneCannotHoldIsRefused) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 2e9\nusemtl l\nf 1 2 3\n";
+  EXPECT_THAT(input_error([&] { import_model(folder.write("far.obj", face), warnings); }),
+              HasSubstr("lies farther away than 1e9 m"));
+  folder.write("l.mtl", "newmtl l\nKd 0 0 0\nKe 1e31 0 0\n");
+  EXPECT_THAT(input_error([&] {
+                import_model(
+                    folder.write("bright.obj",
+                                 "mtllib l.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl l\nf 1 2 3\n"),
+                    warnings);
+              }),
+              HasSubstr("gives more light than 1e30"));
+}
+
+TEST(ImportModel, EachThingIsToldOnce) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  import_model(folder.write("m.obj",
+                            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no a\nf 1 2 3 4\nf 1 2 3 4\n"
+                            "f 1 2 4 3\n"),
+               warnings);
+  EXPECT_EQ(all_warnings(warnings),
+            "faces before any usemtl: have no material: reflectance taken as 0.5\n"
+            "\"a\": polygon that crosses itself: left out\n");
 }
 
 }  // namespace

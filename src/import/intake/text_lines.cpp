@@ -1,0 +1,74 @@
+#include "import/intake/text_lines.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "json/json_text.hpp"
+
+namespace enfilade {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+}  // namespace
+
+TextLines::TextLines(std::string file, std::string_view bytes)
+    : file_(std::move(file)), bytes_(bytes) {
+  if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") bytes_.remove_prefix(3);
+  if (bytes_.substr(0, 2) == "\xFE\xFF" || bytes_.substr(0, 2) == "\xFF\xFE")
+    throw InputError(file_, "file", "is UTF-16 text", "save it as UTF-8 or ASCII text");
+}
+
+bool TextLines::next() {
+  while (!bytes_.empty()) {
+    line_.clear();
+    number_ = lines_taken_ + 1;
+    for (bool joins = true; joins && !bytes_.empty();) {
+      const std::size_t end = bytes_.find('\n');
+      std::string_view part = bytes_.substr(0, end);
+      bytes_.remove_prefix(end == std::string_view::npos ? bytes_.size() : end + 1);
+      ++lines_taken_;
+      while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
+      joins = !part.empty() && part.back() == '\\';
+      if (joins) part.remove_suffix(1);
+      line_.append(part).append(joins ? " " : "");
+    }
+    words_.clear();
+    for (std::size_t i = 0; i < line_.size();) {
+      while (i < line_.size() && is_blank(line_[i])) ++i;
+      if (i == line_.size() || line_[i] == '#') break;
+      const std::size_t begin = i;
+      while (i < line_.size() && !is_blank(line_[i])) ++i;
+      words_.push_back(std::string_view(line_).substr(begin, i - begin));
+    }
+    if (!words_.empty()) return true;
+  }
+  return false;
+}
+
+std::string TextLines::rest_from(std::size_t word) const {
+  if (words_.size() <= word) return {};
+  const char* const end = words_.back().data() + words_.back().size();
+  return {words_[word].data(), end};
+}
+
+double TextLines::real(std::size_t word) const {
+  if (word >= words_.size())
+    fail(in_quotes(std::string(words_[0])) + " has too few numbers", "complete the line");
+  std::string_view text = words_[word];
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) {
+    fail(in_quotes(std::string(words_[word].substr(0, 40))) + " is no finite number",
+         "write a number there");
+  }
+  return value;
+}
+
+void TextLines::fail(const std::string& what, const std::string& hint) const {
+  throw InputError(file_, where(), what, hint);
+}
+
+}  // namespace enfilade
