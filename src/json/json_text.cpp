@@ -4,9 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
 
@@ -66,8 +63,33 @@ std::string plain_fault(const std::string& message) {
   return colon == std::string::npos ? message : message.substr(colon + 2);
 }
 
+/// Values deeper than this are refused before they are parsed: whoever walks them may recurse.
+constexpr std::size_t deepest = 100;
+
+void check_depth(const std::string& text, const std::string& path) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      if (++depth <= deepest) continue;
+      throw InputError(path, line_and_column(text, i + 1),
+                       "lists and objects lie in each other more than " + std::to_string(deepest) +
+                           " deep",
+                       "no file of enfilade needs that: correct the text there");
+    } else if (!in_string && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+}
+
 template <class Json>
 Json parse(const std::string& text, const std::string& path) {
+  check_depth(text, path);
   try {
     return Json::parse(text);
   } catch (const typename Json::exception& first) {
@@ -86,25 +108,6 @@ Json parse(const std::string& text, const std::string& path) {
 }
 
 }  // namespace
-
-std::string read_bytes(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path, "file", "is a directory", "give the path of a file in it");
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    const bool there = std::filesystem::exists(path, ignored);
-    throw InputError(path, "file", there ? "cannot be opened" : "does not exist",
-                     there ? "check its permissions" : "check the path");
-  }
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  std::string text = std::move(bytes).str();
-  if (in.bad()) throw InputError(path, "file", "cannot be read to its end", "check the disk");
-  if (text.empty()) throw InputError(path, "file", "is empty", "write it again");
-  return text;
-}
 
 nlohmann::json parse_json(const std::string& text, const std::string& path) {
   return parse<nlohmann::json>(text, path);

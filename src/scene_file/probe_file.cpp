@@ -1,4 +1,5 @@
 // Probe files: a list of points, and the same list with answers.
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "json/json_text.hpp"
 #include "scene_file/key_reader.hpp"

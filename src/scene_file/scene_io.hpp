@@ -10,6 +10,8 @@ namespace enfilade {
 /// Reads an "enfilade-scene" JSON file (format in scenes/scene.schema.json). Throws InputError that
 /// names the key (surfaces[12].reflectance[1]) or the line of a syntax error.
 Scene read_scene(const std::string& path, Warnings& warnings);
+/// The same of the text of the file at `path`.
+Scene scene_from(std::string text, const std::string& path, Warnings& warnings);
 /// Lengths are written in metres. Throws RunError where the file cannot be written.
 void write_scene(const Scene& scene, const std::string& path);
 
@@ -21,9 +23,5 @@ std::vector<Probe> read_probes(const std::string& path);
 void write_probe_answers(const std::string& source_path, const std::string& path,
                          const std::vector<Spectrum>& irradiance, const std::string& from,
                          ExitanceUnit unit);
-
-/// Writes `text` so that `path` holds either the old content or all of the new (temporary file,
-/// then rename). Throws RunError where it cannot.
-void write_file_atomically(const std::string& path, const std::string& text);
 
 }  // namespace enfilade

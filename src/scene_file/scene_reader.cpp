@@ -1,13 +1,11 @@
 // Reads the JSON scene; the format is described in scenes/scene.schema.json.
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
 #include <string_view>
 
+#include "base/checksum.hpp"
 #include "json/json_text.hpp"
 #include "scene_file/key_reader.hpp"
 #include "scene_file/scene_io.hpp"
@@ -31,7 +29,7 @@ class SceneReader {
   Scene read(std::string text) {
     const json document = parse_json(text, keys_.file());
     scene_.file = keys_.file();
-    scene_.hash = XXH64(text.data(), text.size(), 0);
+    scene_.hash = checksum(text);
     read_head(document);
     const json& surfaces = keys_.list(keys_.need(document, "surfaces", "top level"), "surfaces");
     if (surfaces.empty())
@@ -194,7 +192,11 @@ class SceneReader {
 }  // namespace
 
 Scene read_scene(const std::string& path, Warnings& warnings) {
-  return SceneReader(path, warnings).read(read_bytes(path));
+  return scene_from(read_bytes(path), path, warnings);
+}
+
+Scene scene_from(std::string text, const std::string& path, Warnings& warnings) {
+  return SceneReader(path, warnings).read(std::move(text));
 }
 
 }  // namespace enfilade

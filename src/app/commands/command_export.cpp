@@ -6,9 +6,9 @@
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/export/solution_glb.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

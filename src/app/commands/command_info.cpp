@@ -93,10 +93,8 @@ void run_info(const InfoOptions& options, const Console& console) {
     add_prepared_figures(table, prepared);
     add_leaks(table, read_leaks(input));
     add_prepare_cost(table, prepared);
-    if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
-      const RunRecord stats = read_stats(file);
-      for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
-    }
+    const RunRecord stats = read_stats(input);
+    for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
   }
   console.print(table.text());
 }

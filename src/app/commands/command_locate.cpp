@@ -5,8 +5,8 @@
 #include "app/commands/point_file.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
+#include "base/atomic_file.hpp"
 #include "run/prepare.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

@@ -7,12 +7,12 @@
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/pictures/camera.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/render.hpp"
 #include "report/pictures/tone_mapping.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

@@ -4,8 +4,8 @@
 #include "app/frame/text_table.hpp"
 #include "app/outputs/run_outputs.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "report/page/html_report.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 

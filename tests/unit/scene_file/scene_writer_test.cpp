@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.hpp"
 #include "base/random.hpp"
 #include "unit/scene/test_scenes.hpp"
 
