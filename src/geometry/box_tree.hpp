@@ -12,8 +12,13 @@ namespace enfilade {
 
 class BoxTree {
  public:
-  explicit BoxTree(std::span<const Box> boxes);
+  explicit BoxTree(std::span<const Box> boxes = {});
   ~BoxTree();
+  BoxTree(BoxTree&&) noexcept;
+  BoxTree& operator=(BoxTree&&) noexcept;
+
+  /// Adds a box, whose index is the number of boxes before it.
+  void add(const Box& box);
 
   /// Returns the indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on
   /// all sides.

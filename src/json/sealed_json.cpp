@@ -22,7 +22,16 @@ Json parsed(const std::string& text, const std::string& path) {
   }
 }
 
-void check(const SealedFormat& format, Json& document) {
+/// Whether all of the text is as seal() writes it: what another spelling of the same values is, was
+/// not written by it.
+bool is_sealed(const std::string& text, Json document) {
+  if (text != line_of(document) + "\n") return false;
+  const Json sum = document.value("checksum", Json());
+  document.erase("checksum");
+  return sum == hash_text(checksum(line_of(document)));
+}
+
+void check(const SealedFormat& format, const Json& document, const std::string& text) {
   if (!document.is_object() || document.value("format", Json()) != format.format) {
     throw RunError(std::string("not an ") + format.format);
   }
@@ -31,9 +40,7 @@ void check(const SealedFormat& format, Json& document) {
     throw RunError("of another version of enfilade (" + shown(version) + ", this one knows " +
                    std::to_string(format.version) + ")");
   }
-  const Json sum = document.value("checksum", Json());
-  document.erase("checksum");
-  if (sum != hash_text(checksum(line_of(document)))) throw RunError("damaged (checksum)");
+  if (!is_sealed(text, document)) throw RunError("damaged (checksum)");
 }
 
 }  // namespace
@@ -49,8 +56,8 @@ void unseal(const SealedFormat& format, const std::string& text, const std::stri
             const std::function<void(const Json&)>& take) {
   std::string fault;
   try {
-    Json document = parsed(text, path);
-    check(format, document);
+    const Json document = parsed(text, path);
+    check(format, document, text);
     take(document);
     return;
   } catch (const RunError& error) {

@@ -102,13 +102,20 @@ void refuse_to_drop(const std::string& run_directory) {
 }  // namespace
 
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
-                 Warnings& warnings, const Progress& progress) {
+                 Warnings& warnings) {
+  RunLock lock;
+  return prepare(scene, run_directory, config, warnings, {}, lock);
+}
+
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings, const Progress& progress, RunLock& lock) {
   const auto start = std::chrono::steady_clock::now();
   check_run_directory(run_directory);
+  if (read_run_mark(run_directory)) lock.write(run_directory);
   std::vector<Leak> leaks;
   Prepared p = prepare_scene(scene, config, warnings, leaks, progress);
   // Everything is computed before anything is written: a bad scene leaves no half-made RUN.
-  claim_run_directory(run_directory);
+  claim_run_directory(run_directory, lock);
   remove_directory(run_directory + "/common");
   remove_directory(run_directory + "/local");
   remove_directory(run_directory + "/costs");
@@ -141,7 +148,9 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
          mark->options == options_of(config);
 }
 
-Prepared load_prepared(const std::string& run_directory) {
+namespace {
+
+RunMark mark_of_prepared(const std::string& run_directory) {
   const auto mark = read_run_mark(run_directory);
   // A run that was left or damaged has its scene.
   if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json") &&
@@ -155,25 +164,36 @@ Prepared load_prepared(const std::string& run_directory) {
                      damaged ? "damaged, or of another version of enfilade" : "not a prepared run",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");
   }
+  return *mark;
+}
+
+}  // namespace
+
+std::string scene_text(const std::string& run_directory) {
+  return read_prepared_file(run_directory, "scene.json", mark_of_prepared(run_directory));
+}
+
+Prepared load_prepared(const std::string& run_directory) {
+  const RunMark mark = mark_of_prepared(run_directory);
   Prepared p;
   Warnings told_before;  // when the run was prepared
-  p.scene = scene_from(read_prepared_file(run_directory, "scene.json", *mark),
+  p.scene = scene_from(read_prepared_file(run_directory, "scene.json", mark),
                        run_directory + "/scene.json", told_before);
   p.scene.text = {};
   merge_equal_bands(p.scene);
-  p.scene.hash = mark->scene_hash;
-  p.preparation = mark->preparation();
-  p.cells = load(run_directory, "cells.bin", *mark, complex_from_bytes);
-  p.clusters = load(run_directory, "clusters.bin", *mark, clusters_from_bytes);
-  p.graph = load(run_directory, "graph.bin", *mark, graph_from_bytes);
+  p.scene.hash = mark.scene_hash;
+  p.preparation = mark.preparation();
+  p.cells = load(run_directory, "cells.bin", mark, complex_from_bytes);
+  p.clusters = load(run_directory, "clusters.bin", mark, clusters_from_bytes);
+  p.graph = load(run_directory, "graph.bin", mark, graph_from_bytes);
   if (p.graph.size() != p.clusters.size()) {
     throw RunError(run_directory + "/graph.bin: is of other clusters; prepare the run again");
   }
-  p.has_visibility = mark->has_visibility;
-  p.prepare_s = mark->prepare_s;
-  p.steps = mark->steps;
-  p.covered_area_m2 = mark->covered_area_m2;
-  p.warnings = mark->warnings;
+  p.has_visibility = mark.has_visibility;
+  p.prepare_s = mark.prepare_s;
+  p.steps = mark.steps;
+  p.covered_area_m2 = mark.covered_area_m2;
+  p.warnings = mark.warnings;
   return p;
 }
 
@@ -213,7 +233,9 @@ void keep_visibility(Prepared& prepared, const std::string& run_directory,
 }
 
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
-                         const PrepareConfig& config, const Progress& progress, bool resume) {
+                         const PrepareConfig& config, const Progress& progress, bool resume,
+                         RunLock& lock) {
+  if (read_run_mark(run_directory)) lock.write(run_directory);
   if (read) {
     Warnings found;
     const Scene scene = read(found);
@@ -222,7 +244,7 @@ Prepared prepare_or_load(const SceneSource& read, const std::string& run_directo
     if (!serves(run_directory, scene.hash, config) &&
         !is_prepared(run_directory, scene.hash, less)) {
       if (resume) refuse_to_drop(run_directory);
-      return prepare(scene, run_directory, config, found, progress);
+      return prepare(scene, run_directory, config, found, progress, lock);
     }
   }
   Prepared prepared = load_prepared(run_directory);

@@ -31,7 +31,8 @@ std::string mark_path(const std::string& run_directory) { return run_directory +
 bool is_empty(const std::string& directory) {
   std::error_code code;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, code)) {
-    if (!is_unfinished_file(entry.path().filename().string())) return false;
+    const std::string name = entry.path().filename().string();
+    if (name != "lock" && !is_unfinished_file(name)) return false;
   }
   return true;
 }
@@ -141,13 +142,16 @@ void check_run_directory(const std::string& run_directory) {
   }
 }
 
-void claim_run_directory(const std::string& run_directory) {
+void claim_run_directory(const std::string& run_directory, RunLock& lock) {
   check_run_directory(run_directory);
   std::error_code code;
   fs::create_directories(run_directory, code);
   if (code) {
     throw InputError(run_directory, "-o", "cannot be made: " + code.message(), name_another);
   }
+  lock.write(run_directory);
+  for (const char* folder : {"", "/common", "/pictures"})
+    remove_unfinished_files(run_directory + folder);
   write_run_mark(run_directory, {});
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/warnings.hpp"
 #include "preparation/preparation.hpp"
+#include "run/run_lock.hpp"
 
 namespace enfilade {
 
@@ -44,7 +45,8 @@ std::string read_prepared_file(const std::string& run_directory, const std::stri
 /// Throws InputError where a run must not be put into `run_directory`, or cannot be: it is a file,
 /// it holds files and has no mark, or it may not be written.
 void check_run_directory(const std::string& run_directory);
-/// Makes the directory, where there is none, and marks it as being prepared. Throws InputError.
-void claim_run_directory(const std::string& run_directory);
+/// Makes the directory, where there is none, locks it to write, and marks it as being prepared.
+/// Throws InputError.
+void claim_run_directory(const std::string& run_directory, RunLock& lock);
 
 }  // namespace enfilade

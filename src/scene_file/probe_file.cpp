@@ -7,17 +7,19 @@
 
 namespace enfilade {
 
-std::vector<Probe> read_probes(const std::string& path) {
-  const nlohmann::json document = parse_json(read_bytes(path), path);
+ProbeFile read_probes(const std::string& path) {
+  ProbeFile file{path, read_bytes(path), {}};
+  const nlohmann::json document = parse_json(file.text, path);
   const KeyReader keys(path);
   keys.list(keys.need(document, "probes", "top level"), "probes");
-  return keys.probes(document, keys.metres_per_unit(document), nullptr);
+  file.probes = keys.probes(document, keys.metres_per_unit(document), nullptr);
+  return file;
 }
 
-void write_probe_answers(const std::string& source_path, const std::string& path,
+void write_probe_answers(const ProbeFile& source, const std::string& path,
                          const std::vector<Spectrum>& irradiance, const std::string& from,
                          ExitanceUnit unit) {
-  nlohmann::ordered_json document = parse_ordered_json(read_bytes(source_path), source_path);
+  nlohmann::ordered_json document = parse_ordered_json(source.text, source.path);
   // Where the probes came with a scene, its geometry is no part of the answer.
   document.erase("surfaces");
   document.erase("lights");

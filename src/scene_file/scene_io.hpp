@@ -15,12 +15,18 @@ Scene scene_from(std::string text, const std::string& path, Warnings& warnings);
 /// Lengths are written in metres. Throws RunError where the file cannot be written.
 void write_scene(const Scene& scene, const std::string& path);
 
+/// A probe file: its text, read once, and its probes.
+struct ProbeFile {
+  std::string path, text;
+  std::vector<Probe> probes;
+};
+
 /// Reads {"probes": [{"p", "n"}, ...]}; a scene file with probes will do as well.
-std::vector<Probe> read_probes(const std::string& path);
-/// Writes the probes of `source_path` with "E" (per band) added to each, and "from" and "unit"
-/// beside them. All other keys of that file are kept, but a scene's surfaces and lights;
-/// "exitanceUnits", where it is there, becomes the unit's name.
-void write_probe_answers(const std::string& source_path, const std::string& path,
+ProbeFile read_probes(const std::string& path);
+/// Writes the probes of `source` with "E" (per band) added to each, and "from" and "unit" beside
+/// them. All other keys of its text are kept, but a scene's surfaces and lights; "exitanceUnits",
+/// where it is there, becomes the unit's name.
+void write_probe_answers(const ProbeFile& source, const std::string& path,
                          const std::vector<Spectrum>& irradiance, const std::string& from,
                          ExitanceUnit unit);
 

@@ -7,6 +7,7 @@
 
 #include "base/checksum.hpp"
 #include "json/json_text.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene_file/key_reader.hpp"
 #include "scene_file/scene_io.hpp"
 
@@ -39,6 +40,7 @@ class SceneReader {
     read_lights(document);
     scene_.probes = keys_.probes(document, scale_, &unknown_);
     broadcast();
+    check_limits(scene_);
     warn();
     scene_.text = std::move(text);
     return std::move(scene_);
@@ -139,7 +141,7 @@ class SceneReader {
         }
       }
       PointLight light;
-      light.p = scale_ * keys_.point(keys_.need(entry, "p", where), where + ".p");
+      light.p = keys_.place(keys_.need(entry, "p", where), where + ".p", scale_);
       light.intensity = keys_.spectrum(keys_.need(entry, "intensity", where), where + ".intensity",
                                        std::numeric_limits<double>::infinity());
       note_bands(light.intensity, where + ".intensity");

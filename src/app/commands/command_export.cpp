@@ -39,6 +39,8 @@ void run_export(const ExportOptions& options, const Console& console) {
                      "name a .glb file for the light or a .json file for the graph");
   }
   check_output_file(options.output);
+  RunLock lock;
+  lock.read(options.run);
   const std::string content = extension == ".json"
                                   ? graph_json(with_visibility(options.run, console.progress()))
                                   : solution_glb(SolvedRun(options.run).solved_scene());

@@ -27,6 +27,8 @@ struct LocateOptions {
 
 void run_locate(const LocateOptions& options, const Console& console) {
   check_output_file(options.output);
+  RunLock lock;
+  lock.read(options.run);
   const Prepared prepared = load_prepared(options.run);
   nlohmann::json cells = nlohmann::json::array();
   std::size_t outside = 0, none = 0;

@@ -146,6 +146,8 @@ PlanSubject chosen_subject(const PlanOptions& options, const Building& building,
 
 void run_plan(const PlanOptions& options, const Console& console) {
   check(options);
+  RunLock lock;
+  lock.read(options.run);
   Prepared prepared = load_prepared(options.run);
   const Occluders occluders(prepared.clusters);
   const Building building{prepared.cells, prepared.clusters, occluders};

@@ -28,6 +28,8 @@ void run_report(const ReportOptions& options, const Console& console) {
   check_output_file(options.output);
   std::vector<RunPage> pages;
   for (const std::string& directory : options.runs) {
+    RunLock lock;
+    lock.read(directory);
     const SolvedRun run(directory);
     pages.push_back(
         make_run_page(directory, run.solved_scene(), options.pictures, console.progress()));

@@ -108,9 +108,11 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
   write_file_atomically(directory + "surfaces.csv", surfaces_csv(solved));
   write_file_atomically(directory + "solution.glb", solution_glb(solved));
   if (const auto& probes = solved.scene.probes; !probes.empty()) {
-    write_probe_answers(outputs.probe_source, directory + "probes.json",
-                        irradiance_at(run, probes, ProbeMethod::gather, progress), "gather",
-                        solved.scene.unit);
+    // The run's own copy of the scene counts: the file that was given may be another by now.
+    write_probe_answers(
+        {directory + "scene.json", scene_text(outputs.run_directory), solved.scene.probes},
+        directory + "probes.json", irradiance_at(run, probes, ProbeMethod::gather, progress),
+        "gather", solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
   if (outputs.pictures) write_run_plans(outputs.run_directory, page.plans);

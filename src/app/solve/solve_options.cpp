@@ -163,10 +163,6 @@ std::string SolveOptions::run_directory() const {
   return fs::equivalent(input, output, missing) ? input : output;
 }
 
-std::string SolveOptions::probe_source() const {
-  return is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
-}
-
 void SolveOptions::check_replay() const {
   for (const char* option : of_the_light) {
     if (!gave(option)) continue;

@@ -7,7 +7,7 @@
 #include "report/page/html_report.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/tone_mapping.hpp"
-#include "run/run_mark.hpp"
+#include "run/prepare.hpp"
 #include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 
@@ -27,8 +27,7 @@ RunPage read_run_page(const std::string& run_directory) {
   page.history = read_history(run_directory);
   page.warnings = read_warnings(run_directory);
   page.timeline = read_report(run_directory, "pictures/ranks.svg").value_or("");
-  if (const auto mark = read_run_mark(run_directory))
-    page.attribution = read_attribution(read_prepared_file(run_directory, "scene.json", *mark));
+  page.attribution = read_attribution(scene_text(run_directory));
   return page;
 }
 

@@ -98,6 +98,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   const VisibilityCost cost = tour_cost(prepared, basis, memory);
   const std::uint64_t run = manifest ? manifest->run : name_of_run(config, prepared);
+  // Local directories of ranks of earlier runs, which may have been more than these.
+  communicator.on_root([&] { remove_directory(layout.local); });
   ClusterStore store(layout, run, communicator.rank(), prepared.clusters.size(), machine);
   const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
