@@ -19,7 +19,7 @@ inline constexpr std::size_t most_bands = 1024;
 /// Of what is listed in one file: surfaces, lights, probes, points, cameras.
 inline constexpr std::size_t most_items = 100'000'000;
 /// Corners of one polygon.
-inline constexpr std::size_t most_corners = 10'000;
+inline constexpr std::size_t most_corners = 4'000;
 
 /// What is wrong with a number, and what to do; both are empty where nothing is.
 struct Fault {

@@ -53,6 +53,19 @@ void BoxTree::add(const Box& box) {
     impl_->tree.insert({tree_box(box, 0.0), static_cast<std::uint32_t>(count - 1)});
 }
 
+bool BoxTree::any_touching(const Box& box, double margin_m,
+                           const std::function<bool(std::uint32_t)>& holds) const {
+  if (impl_->boxes.size() < few) {
+    for (std::uint32_t i = 0; i < impl_->boxes.size(); ++i) {
+      if (impl_->boxes[i].overlaps(box, margin_m) && holds(i)) return true;
+    }
+    return false;
+  }
+  const auto near = bg::index::intersects(tree_box(box, margin_m));
+  return std::any_of(impl_->tree.qbegin(near), impl_->tree.qend(),
+                     [&](const TreeEntry& entry) { return holds(entry.second); });
+}
+
 std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) const {
   std::vector<std::uint32_t> found;
   if (impl_->boxes.size() < few) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,6 +24,9 @@ class BoxTree {
   /// Returns the indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on
   /// all sides.
   std::vector<std::uint32_t> touching(const Box& box, double margin_m) const;
+  /// Whether `holds` is true of one of them.
+  bool any_touching(const Box& box, double margin_m,
+                    const std::function<bool(std::uint32_t)>& holds) const;
 
  private:
   struct Impl;

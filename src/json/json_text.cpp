@@ -60,7 +60,8 @@ std::string plain_fault(const std::string& message) {
   const std::size_t syntax = message.find("syntax error");
   if (syntax != std::string::npos) return message.substr(syntax);
   const std::size_t colon = message.rfind(": ");
-  return colon == std::string::npos ? message : message.substr(colon + 2);
+  if (colon != std::string::npos) return message.substr(colon + 2);
+  return message.substr(message.find("] ") == std::string::npos ? 0 : message.find("] ") + 2);
 }
 
 /// Values deeper than this are refused before they are parsed: whoever walks them may recurse.
@@ -88,22 +89,32 @@ void check_depth(const std::string& text, const std::string& path) {
 }
 
 template <class Json>
+[[noreturn]] void refuse(const std::string& text, const std::string& path,
+                         const typename Json::parse_error& error) {
+  const bool truncated = error.byte >= text.size();
+  throw InputError(
+      path, line_and_column(text, error.byte), "not valid JSON: " + plain_fault(error.what()),
+      truncated ? "the file ends too early, write it again" : "correct the text there");
+}
+
+template <class Json>
 Json parse(const std::string& text, const std::string& path) {
   check_depth(text, path);
+  std::string repaired;
   try {
     return Json::parse(text);
   } catch (const typename Json::exception& first) {
-    std::string repaired;
-    if (quote_nonfinite(text, repaired)) {
-      Json value = Json::parse(repaired, nullptr, false);
-      if (!value.is_discarded()) return value;
+    if (!quote_nonfinite(text, repaired)) {
+      const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
+      if (syntax != nullptr) refuse<Json>(text, path, *syntax);
+      throw InputError(path, "file", "not valid JSON: " + plain_fault(first.what()),
+                       "write it again");
     }
-    const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
-    const std::size_t byte = syntax == nullptr ? 1 : syntax->byte;
-    const bool truncated = byte >= text.size();
-    throw InputError(
-        path, line_and_column(text, byte), "not valid JSON: " + plain_fault(first.what()),
-        truncated ? "the file ends too early, write it again" : "correct the text there");
+  }
+  try {
+    return Json::parse(repaired);
+  } catch (const typename Json::parse_error& error) {
+    refuse<Json>(repaired, path, error);
   }
 }
 

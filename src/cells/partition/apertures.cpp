@@ -70,14 +70,12 @@ class Apertures {
     }
   }
   bool is_open(const Vec3& p) const {
-    const auto near = opening_tree_.touching({p, p}, 0.1 * reach_m_);
-    return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
+    return opening_tree_.any_touching({p, p}, 0.1 * reach_m_, [&](std::uint32_t i) {
       return contains(*openings_[i].polygon, openings_[i].n, p);
     });
   }
   bool is_covered(const Vec3& p) const {
-    const auto near = cover_tree_.touching({p, p}, reach_m_);
-    return std::any_of(near.begin(), near.end(), [&](std::uint32_t k) {
+    return cover_tree_.any_touching({p, p}, reach_m_, [&](std::uint32_t k) {
       return contains(cut_.covered_by[k].polygon, cover_normals_[k], p);
     });
   }
