@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 
 namespace enfilade {
 namespace {
@@ -99,6 +100,7 @@ template <class Json>
 
 template <class Json>
 Json parse(const std::string& text, const std::string& path) {
+  const MemoryPurpose purpose(path.c_str());
   check_depth(text, path);
   std::string repaired;
   try {

@@ -7,6 +7,7 @@
 
 #include "base/checksum.hpp"
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 #include "base/posix_file.hpp"
 #include "run/leak_file.hpp"
 #include "run/run_layout.hpp"
@@ -110,6 +111,7 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
                  Warnings& warnings, const Progress& progress, RunLock& lock) {
   const auto start = std::chrono::steady_clock::now();
+  const MemoryPurpose purpose("the preparation of the scene");
   check_run_directory(run_directory);
   if (read_run_mark(run_directory)) lock.write(run_directory);
   std::vector<Leak> leaks;

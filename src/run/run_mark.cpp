@@ -146,6 +146,9 @@ void claim_run_directory(const std::string& run_directory, RunLock& lock) {
   check_run_directory(run_directory);
   std::error_code code;
   fs::create_directories(run_directory, code);
+  if (code == std::errc::no_space_on_device || code == std::errc::io_error) {
+    throw RunError(run_directory + ": cannot be made: " + code.message() + "; see to the disk");
+  }
   if (code) {
     throw InputError(run_directory, "-o", "cannot be made: " + code.message(), name_another);
   }

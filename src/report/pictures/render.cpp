@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/memory_wanted.hpp"
 #include "base/random.hpp"
 #include "base/run_on_threads.hpp"
 #include "base/usable_cores.hpp"
@@ -252,6 +253,7 @@ std::array<double, 3> display_rgb(std::span<const double> bands) {
 
 LightImage render(const SolvedScene& solved, const Camera& camera, const RenderConfig& config,
                   const Progress& progress) {
+  const MemoryPurpose purpose("the picture");
   LightImage image;
   image.width = config.width;
   image.height = config.height;

@@ -6,6 +6,7 @@
 #include "base/byte_stream.hpp"
 #include "base/checksum.hpp"
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 #include "base/posix_file.hpp"
 #include "run/history.hpp"
 #include "schemes/protocol/radiosity_work.hpp"
@@ -86,6 +87,7 @@ std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& c
 
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer) {
+  const MemoryPurpose purpose("the clusters, their patches and links");
   const double wall_start_s = seconds_of_wall();
   const RunLayout layout(config.run_directory, config.local_directory);
   const std::uint64_t memory =
