@@ -25,7 +25,8 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A programmer's fault that a check found. what() says where in the sources, for those who mend it.
+/// A programmer's fault that a check found. what() says where in the sources, for those who mend
+/// it.
 class CheckFailure : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -22,13 +22,13 @@ Fault fault_of_place(const Vec3& p) {
 }
 
 Fault fault_of_light(double light) {
-  if (!std::isfinite(light)) return {"is not a finite number", "write a number"};
-  if (light < 0.0) return {"is below zero", "write 0 or more"};
+  if (!std::isfinite(light)) return {"not a finite number", "write a number"};
+  if (light < 0.0) return {"below zero", "write 0 or more"};
   if (light > most_light) {
-    return {"is more than numbers can carry on with", "write it in a larger unit: at most 1e30"};
+    return {"more than numbers can carry on with", "write it in a larger unit: at most 1e30"};
   }
   if (light > 0.0 && light < least_light) {
-    return {"is less than numbers can carry on with",
+    return {"less than numbers can carry on with",
             "write 0, or write it in a smaller unit: at least 1e-30"};
   }
   return {};
@@ -49,8 +49,8 @@ Fault fault_of_direction(const Vec3& v) {
 Vec3 unit(const Vec3& v) {
   // By its exponent first, so that no square overflows or vanishes.
   const int exponent = std::ilogb(largest(v));
-  return glm::normalize(Vec3(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent),
-                             std::scalbn(v.z, -exponent)));
+  return glm::normalize(
+      Vec3(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)));
 }
 
 }  // namespace enfilade::limits

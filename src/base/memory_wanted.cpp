@@ -11,7 +11,8 @@ thread_local const char* purpose_now = "";
 thread_local RefusedMemory refused;
 
 /// Given back at the first refusal: what unwinds then needs memory itself (so do destructors of
-/// nlohmann::json, which must not fail). Nothing is written there, so that it costs addresses alone.
+/// nlohmann::json, which must not fail). Nothing is written there, so that it costs addresses
+/// alone.
 class Reserve {
  public:
   Reserve() : memory_(std::malloc(bytes)) {}

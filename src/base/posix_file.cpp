@@ -75,9 +75,12 @@ void write_all(int fd, const std::string& path, std::span<const std::byte> bytes
 }
 
 std::vector<std::byte> read_file(const std::string& path) {
-  const Descriptor file(path, O_RDONLY | O_CLOEXEC, "cannot be read");
+  // O_NONBLOCK: a pipe in the file's place would wait for its writer.
+  const Descriptor file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, "cannot be read");
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "cannot be read", errno);
+  if (!S_ISREG(info.st_mode))
+    throw RunError(path + ": is no file; remove it, then prepare the run again");
   std::vector<std::byte> bytes(static_cast<std::size_t>(info.st_size));
   std::size_t have = 0;
   while (have < bytes.size()) {

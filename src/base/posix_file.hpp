@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// Returns all bytes of a file. Throws RunError.
+/// Returns all bytes of a regular file. Throws RunError, for anything else as well.
 std::vector<std::byte> read_file(const std::string& path);
 /// Replaces a file by `head` followed by `body`, not atomically: for files that no other process
 /// reads yet. A symbolic link is refused, not followed. Throws RunError.

@@ -49,8 +49,7 @@ void BoxTree::add(const Box& box) {
   impl_->boxes.push_back(box);
   const std::size_t count = impl_->boxes.size();
   if (count == few) impl_->grow();
-  if (count > few)
-    impl_->tree.insert({tree_box(box, 0.0), static_cast<std::uint32_t>(count - 1)});
+  if (count > few) impl_->tree.insert({tree_box(box, 0.0), static_cast<std::uint32_t>(count - 1)});
 }
 
 bool BoxTree::any_touching(const Box& box, double margin_m,

@@ -79,10 +79,10 @@ void check_depth(const std::string& text, const std::string& path) {
       in_string = !in_string;
     } else if (!in_string && (c == '[' || c == '{')) {
       if (++depth <= deepest) continue;
-      throw InputError(path, line_and_column(text, i + 1),
-                       "lists and objects lie in each other more than " + std::to_string(deepest) +
-                           " deep",
-                       "no file of enfilade needs that: correct the text there");
+      throw InputError(
+          path, line_and_column(text, i + 1),
+          "lists and objects lie in each other more than " + std::to_string(deepest) + " deep",
+          "no file of enfilade needs that: correct the text there");
     } else if (!in_string && (c == ']' || c == '}') && depth > 0) {
       --depth;
     }

@@ -22,7 +22,7 @@ struct Manifest {
   std::uint64_t scene_hash = 0;
   std::uint64_t preparation = 0;  ///< Prepared::preparation
   std::uint64_t run = 0;          ///< names the run: SectionPlace::run of all its files
-  bool finished = false;  ///< the run has ended
+  bool finished = false;          ///< the run has ended
   /// Plan and figures of each iteration, as to_numbers() of solver/iteration_plan.hpp gives them.
   std::vector<std::vector<double>> history;
   /// The coarse correction of this iteration's light, [unknown * bands + band]; may be empty.

@@ -124,8 +124,8 @@ Prepared prepare(const Scene& scene, const std::string& run_directory, const Pre
   RunMark mark;
   keep_scene(scene, run_directory, mark);
   keep_prepared_file(run_directory, "cells.bin", to_bytes(p.cells), mark);
-  keep_prepared_file(run_directory, "clusters.bin",
-                     to_bytes(std::span<const Cluster>(p.clusters)), mark);
+  keep_prepared_file(run_directory, "clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)),
+                     mark);
   write_leaks(run_directory, leaks, mark);
   keep_prepared_file(run_directory, "graph.bin", to_bytes(p.graph), mark);
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -44,7 +44,10 @@ std::string this_process() {
 }  // namespace
 
 RunLock::~RunLock() {
-  if (fd_ >= 0) ::close(fd_);
+  if (fd_ < 0) return;
+  // Whose name stands there is gone; the same command leaves the same bytes.
+  [[maybe_unused]] const bool wiped = writes_ && ::ftruncate(fd_, 0) == 0;
+  ::close(fd_);
 }
 
 void RunLock::open(const std::string& run_directory, int flags) {
@@ -93,6 +96,7 @@ void RunLock::write(const std::string& run_directory) {
   if (!take(F_WRLCK, ranks, patience_s))
     refuse(run_directory, "ranks of a run that has died are still at work there");
   let_go(ranks);
+  writes_ = true;
   const std::string holder = this_process();
   // For messages alone: whether it can be written does not matter.
   [[maybe_unused]] const bool told =
@@ -105,8 +109,8 @@ void RunLock::read(const std::string& run_directory) {
   if (take(F_RDLCK, use, 0)) return;
   std::array<char, 300> holder{};
   const ssize_t n = ::pread(fd_, holder.data(), holder.size() - 1, 0);
-  refuse(run_directory, "is being written by " + (n > 0 ? std::string(holder.data())
-                                                        : std::string("another command")));
+  refuse(run_directory, "is being written by " +
+                            (n > 0 ? std::string(holder.data()) : std::string("another command")));
 }
 
 void RunLock::join(const std::string& run_directory) {

@@ -34,6 +34,7 @@ class RunLock {
   void let_go(int place);
 
   int fd_ = -1;
+  bool writes_ = false;
   std::string fault_;
 };
 

@@ -19,15 +19,15 @@ std::vector<ClusterState> read_solution(const std::string& run_directory, bool l
     };
     const auto geometry =
         read_section(RunLayout::geometry(common, id), place(Section::geometry, 0));
-    const auto patches = read_section(
-        RunLayout::patches(common, id, manifest.slot()),
-        place(Section::patches, static_cast<std::uint32_t>(manifest.iteration)));
+    const auto patches =
+        read_section(RunLayout::patches(common, id, manifest.slot()),
+                     place(Section::patches, static_cast<std::uint32_t>(manifest.iteration)));
     std::vector<std::byte> link_bytes;
     if (links) {
       const LinksPlace& at = patches.info.links;
-      link_bytes = read_section(RunLayout::links(common, id, at.slot),
-                                place(Section::links, at.iteration))
-                       .bytes;
+      link_bytes =
+          read_section(RunLayout::links(common, id, at.slot), place(Section::links, at.iteration))
+              .bytes;
     }
     ClusterState& state = states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
     const auto bands = static_cast<std::size_t>(state.bands());

@@ -18,8 +18,8 @@ class Gate {
     Box box;
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
       const Surface& surface = scene_.surfaces[s];
-      if (const auto fault = limits::fault_of_count(surface.vertices.size(), limits::most_corners,
-                                                    "corners"))
+      if (const auto fault =
+              limits::fault_of_count(surface.vertices.size(), limits::most_corners, "corners"))
         refuse(label(scene_, SurfaceId(s)) + ".vertices", fault);
       for (const Vec3& p : surface.vertices) {
         if (limits::fault_of_place(p))
@@ -58,7 +58,8 @@ class Gate {
     if (const auto fault = limits::fault_of_count(bands.size(), limits::most_bands, "bands"))
       refuse(where(), fault);
     for (const double band : bands) {
-      if (const auto fault = limits::fault_of_light(band)) refuse(where(), fault);
+      if (const auto fault = limits::fault_of_light(band))
+        refuse(where(), {"is " + fault.what, fault.hint});
     }
   }
   void refuse(const std::string& where, const limits::Fault& fault) const {

@@ -3,12 +3,13 @@
 
 damage.py ENFILADE [--trials N] [--seed S] [--smpi ENFILADE_SMPI]
 
-Bits are turned, files cut, lengthened and emptied, exchanged with a neighbour's, with those of an older iteration or of
-another run, and edited so that their format stays. Every trial must end with one line of error and status 1 or 2, or with
+Bits are turned, files cut, lengthened, removed, exchanged with a neighbour's, with those of an older iteration or of
+another run, edited so that their format stays, and made a pipe or a directory. Every trial must end with one line of error and status 1 or 2, or with
 status 0 and the bytes of the unharmed RUN. Prints a table; exit status 1 where a trial ended otherwise."""
 import argparse
 import collections
 import json
+import os
 import random
 import re
 import shutil
@@ -88,20 +89,18 @@ def exchange(rng, runs, directory, name):
     return bool(near)
 
 
-def remove(path):
-    path.unlink()
-
-
 DAMAGE = {"turned bits": turn_bits, "overwritten": overwrite, "cut": cut, "lengthened": lengthen, "edited": edit,
-          "exchanged": None, "removed": None}
+          "exchanged": None, "removed": None, "a pipe": None, "a directory": None}
 
 
 def harm(rng, runs, directory, name, kind):
     path = directory / name
     if kind == "exchanged":
         return exchange(rng, runs, directory, name)
-    if kind == "removed":
+    if kind in ("removed", "a pipe", "a directory"):
         path.unlink()
+        if kind != "removed":
+            os.mkfifo(path) if kind == "a pipe" else path.mkdir()
         return True
     data = path.read_bytes()
     if not data:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Kills and stops ranks of a solve of a building, inside iterations and inside commits, and goes on from what is left.
 
-kills.py ENFILADE NTH_CALL_LIBRARY [--kills N] [--seed S] [--scene SCENE]
+kills.py ENFILADE NTH_CALL_LIBRARY [--kills N] [--seed S] [--scene SCENE] [--target-error E]
 
 Each trial kills one rank of 1 to 3 at a random moment or at a random call that changes RUN (those of the commit
 among them), some of them several times, and ends with an undisturbed 'solve --resume', which must give the bytes of
@@ -20,7 +20,6 @@ from pathlib import Path
 
 from runs import run, solve
 
-TARGET = ("--target-error", "0.1")
 GENERATE = ("--floors", "1", "--seed", "3")
 
 
@@ -28,12 +27,13 @@ class Kills:
     def __init__(self, options, scratch):
         self.options, self.scratch = options, scratch
         self.rng = random.Random(options.seed)
+        self.target = ("--target-error", options.target_error)
         self.scene = options.scene or self.building()
         self.directory = scratch / "run"
         counts = scratch / "counts"
         start = time.monotonic()
         whole = scratch / "whole"
-        outcome = solve(options.enfilade, self.scene, whole, *TARGET,
+        outcome = solve(options.enfilade, self.scene, whole, *self.target,
                         env={"LD_PRELOAD": options.library, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts)})
         assert outcome.status == 0, outcome.error
         self.seconds = time.monotonic() - start
@@ -51,7 +51,7 @@ class Kills:
         env = {"LD_PRELOAD": self.options.library, "NTH_UNDER": str(self.directory), **(env or {})}
         exports = [part for name in env for part in ("-x", name)]
         return subprocess.Popen(["mpirun", "--oversubscribe", "-n", str(ranks), *exports, self.options.enfilade, "solve",
-                                 str(self.scene), "-o", str(self.directory), "--no-pictures", "--quiet", *TARGET, *options],
+                                 str(self.scene), "-o", str(self.directory), "--no-pictures", "--quiet", *self.target, *options],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=dict(os.environ, **env))
 
     @staticmethod
@@ -98,7 +98,7 @@ class Kills:
         pid = self.signal_one(launcher, signal.SIGSTOP)
         if pid is not None:
             held = (self.directory / "lock").exists()
-            second = solve(self.options.enfilade, self.scene, self.directory, *TARGET, "--resume")
+            second = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume")
             alive = launcher.poll() is None
             os.kill(pid, signal.SIGCONT)
             if held and alive and (second.status != 2 or second.fault()):
@@ -114,7 +114,7 @@ class Kills:
                 resume = ["--resume"] if again else []
                 kill = self.kill_at_a_call if self.rng.random() < 0.6 else self.kill_at_a_moment
                 kill(self.rng.randrange(1, 4), resume)
-        outcome = solve(self.options.enfilade, self.scene, self.directory, *TARGET, "--resume", ranks=self.rng.randrange(1, 4))
+        outcome = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume", ranks=self.rng.randrange(1, 4))
         if outcome.status != 0:
             self.faults.append(f"trial {i}: cannot be resumed: {outcome.error[-300:]}")
             return
@@ -129,6 +129,7 @@ def main():
     parser.add_argument("library")
     parser.add_argument("--kills", type=int, default=60, help="trials")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--target-error", default="0.1")
     parser.add_argument("--scene", help="default: a building of one storey")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="enfilade-kills-") as scratch:

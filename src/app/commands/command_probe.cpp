@@ -32,8 +32,7 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   const SolvedRun run(options.run, options.gather);
   const std::vector<Spectrum> answers =
       irradiance_at(run, probes, probe_method(options.from), console.progress());
-  write_probe_answers(points, options.output, answers, options.from,
-                      run.prepared().scene.unit);
+  write_probe_answers(points, options.output, answers, options.from, run.prepared().scene.unit);
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));
   table.add("unit", irradiance_label(run.prepared().scene.unit));

@@ -94,8 +94,8 @@ RunPage make_run_page(const std::string& run_directory, const SolvedScene& solve
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name :
-       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-        "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
+       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json",
+        "probes.json", "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }

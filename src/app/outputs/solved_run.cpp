@@ -52,8 +52,8 @@ std::vector<Spectrum> irradiance_at(const SolvedRun& run, std::span<const Probe>
                       static_cast<double>(i + 1) / static_cast<double>(probes.size()));
     }
   };
-  run_on_threads(static_cast<int>(std::min<std::size_t>(
-                     static_cast<std::size_t>(usable_cores()), probes.size())),
+  run_on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(usable_cores()),
+                                                        probes.size())),
                  work);
   return answers;
 }

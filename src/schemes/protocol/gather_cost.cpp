@@ -176,30 +176,35 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
                      "solve it first, or go on with it by --resume");
   }
   committed_manifest(RunLayout(run_directory));  // of what RUN is prepared for
+  if (!files_of(run_directory + "/costs/" + std::to_string(manifest->iteration + 1)).empty())
+    incomplete(run_directory, "has gathers after the committed iteration");
   Recording recording;
   recording.history = history_of(manifest);
   recording.basis = manifest->basis;
   recording.hierarchy = manifest->hierarchy;
   recording.start.resize(clusters);
-  read_iteration(run_directory, {manifest->run, 0, {}}, clusters, recording.method, [&](ByteReader& r) {
-    const auto id = r.get<ClusterId>();
-    const auto weight = r.get<ClusterWeight>();
-    if (id.index() < clusters) recording.start[id.index()] = weight;
-    return id;
-  });
+  read_iteration(run_directory, {manifest->run, 0, {}}, clusters, recording.method,
+                 [&](ByteReader& r) {
+                   const auto id = r.get<ClusterId>();
+                   const auto weight = r.get<ClusterWeight>();
+                   if (id.index() < clusters) recording.start[id.index()] = weight;
+                   return id;
+                 });
   for (int k = 1; k <= manifest->iteration; ++k) {
     auto& gathers = recording.gathers.emplace_back(clusters);
-    read_iteration(run_directory, {manifest->run, k, {}}, clusters, recording.method, [&](ByteReader& r) {
-      GatherCost cost = get_cost(r);
-      const ClusterId id = cost.cluster;
-      if (id.index() >= clusters) return id;
-      for (const ClusterId read : cost.read) {
-        if (read.index() >= clusters) incomplete(run_directory, "is of another scene");
-      }
-      if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
-      gathers[id.index()] = std::move(cost);
-      return id;
-    });
+    read_iteration(run_directory, {manifest->run, k, {}}, clusters, recording.method,
+                   [&](ByteReader& r) {
+                     GatherCost cost = get_cost(r);
+                     const ClusterId id = cost.cluster;
+                     if (id.index() >= clusters) return id;
+                     for (const ClusterId read : cost.read) {
+                       if (read.index() >= clusters)
+                         incomplete(run_directory, "is of another scene");
+                     }
+                     if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
+                     gathers[id.index()] = std::move(cost);
+                     return id;
+                   });
   }
   if (!recording.gathers.empty()) {
     recording.bands = recording.gathers.front().front().figures.absorbed_power.size();

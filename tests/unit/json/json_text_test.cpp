@@ -17,9 +17,7 @@ std::string fault(const std::string& text) {
   return "";
 }
 
-std::string nested(std::size_t depth) {
-  return std::string(depth, '[') + std::string(depth, ']');
-}
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
 
 TEST(JsonText, WhatLiesTooDeepIsRefusedWithItsPlace) {
   EXPECT_EQ(fault(nested(100)), "");

@@ -12,9 +12,8 @@ constexpr SealedFormat format{"enfilade-test", 3, "make it again"};
 
 std::string fault(const std::string& text) {
   try {
-    unseal(format, text, "file", [](const nlohmann::ordered_json& json) {
-      [[maybe_unused]] const int x = json.at("x");
-    });
+    unseal(format, text, "file",
+           [](const nlohmann::ordered_json& json) { [[maybe_unused]] const int x = json.at("x"); });
   } catch (const RunError& error) {
     return error.what();
   }
@@ -40,7 +39,8 @@ TEST(SealedJson, EveryBitThatTurnsIsFound) {
 
 TEST(SealedJson, FaultsSayWhatToDo) {
   const std::string text = seal(format, {{"y", 1}});
-  EXPECT_EQ(fault(text), "file: is damaged (a value is missing, or of another kind); make it again");
+  EXPECT_EQ(fault(text),
+            "file: is damaged (a value is missing, or of another kind); make it again");
   EXPECT_EQ(fault(""), "file: is no JSON; make it again");
   EXPECT_EQ(fault("[]"), "file: is not an enfilade-test; make it again");
   EXPECT_THAT(fault(R"({"format": "enfilade-test", "version": 2})"),

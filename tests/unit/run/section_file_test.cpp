@@ -28,7 +28,8 @@ std::string fresh_path(const char* name) {
 TEST(SectionFile, ComesBackAsWritten) {
   const std::string path = fresh_path("section");
   const auto bytes = some_bytes(1000);
-  write_section(path, {{ClusterId(7u), Section::patches, 12, 99}, {Slot::b, 11}, {1, 2, 3, bytes.size()}},
+  write_section(path,
+                {{ClusterId(7u), Section::patches, 12, 99}, {Slot::b, 11}, {1, 2, 3, bytes.size()}},
                 bytes);
   const SectionFile file = read_section(path, {ClusterId(7u), Section::patches, 12, 99});
   EXPECT_EQ(file.bytes, bytes);

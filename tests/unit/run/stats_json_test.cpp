@@ -52,17 +52,16 @@ TEST(StatsJson, AllMayBeMissing) {
 }
 
 TEST(StatsJson, ReadsTheHistory) {
-  const auto history = history_from(R"([{"iteration": 1, "links": 10}, {"iteration": 2, "links": 30}])", "history");
+  const auto history =
+      history_from(R"([{"iteration": 1, "links": 10}, {"iteration": 2, "links": 30}])", "history");
   ASSERT_EQ(history.size(), 2u);
   EXPECT_EQ(history[1].number("links", 0.0), 30.0);
   EXPECT_THROW(history_from(R"({"iteration": 1})", "bad"), InputError);
 }
 
 TEST(StatsJson, ReadsOwnersAndLines) {
-  EXPECT_EQ(owners_from("[0, 3, 1]", "owners"),
-            (std::vector<Rank>{Rank{0}, Rank{3}, Rank{1}}));
-  EXPECT_EQ(lines_from(R"(["one", "two"])", "lines"),
-            (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(owners_from("[0, 3, 1]", "owners"), (std::vector<Rank>{Rank{0}, Rank{3}, Rank{1}}));
+  EXPECT_EQ(lines_from(R"(["one", "two"])", "lines"), (std::vector<std::string>{"one", "two"}));
   EXPECT_THROW(owners_from("[-1]", "owners"), InputError);
   EXPECT_THROW(owners_from("[1e30]", "owners"), InputError);
 }
