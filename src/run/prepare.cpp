@@ -161,9 +161,11 @@ RunMark mark_of_prepared(const std::string& run_directory) {
                      "name the run that was replayed; stats.json says which");
   }
   if (!mark || !mark->prepared) {
-    const bool damaged = mark && !mark->fault.empty();
+    const std::string fault = mark ? mark->fault : "";
     throw InputError(run_directory, "run.json",
-                     damaged ? "damaged, or of another version of enfilade" : "not a prepared run",
+                     fault.empty()                                ? "not a prepared run"
+                     : fault.find("version") != std::string::npos ? "of another version of enfilade"
+                                                                  : "damaged",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");
   }
   return *mark;
