@@ -29,7 +29,8 @@ class Gate {
       }
       light(surface.exitance, [&] { return label(scene_, SurfaceId(s)) + ".exitance"; });
     }
-    if (!box.empty() && box.diagonal() < limits::smallest_extent_m) {
+    // A scene of one point has no area, which is told later, and is not too small.
+    if (!box.empty() && box.diagonal() > 0.0 && box.diagonal() < limits::smallest_extent_m) {
       refuse("surfaces", {"the scene extends over less than 1e-6 m in all", unit_hint});
     }
   }

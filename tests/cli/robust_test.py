@@ -259,11 +259,11 @@ class Links(InRun):
 
 class TwoAtOnce(InRun):
     def test_a_second_command_is_refused_and_the_first_ends_well(self):
-        fifo_scene, run = ROOT / "scenes/duplex.json", self.scratch / "both"
-        command = [cli_test.ENFILADE, "solve", str(fifo_scene), "-o", str(run), "--no-pictures", "--quiet"]
+        scene, run = ROOT / "scenes/two_rooms.json", self.scratch / "both"
+        command = [cli_test.ENFILADE, "solve", str(scene), "-o", str(run), "--no-pictures", "--quiet"]
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as first:
             while not (run / "run.json").exists() and first.poll() is None:
-                time.sleep(0.01)
+                time.sleep(0.001)
             first.send_signal(signal.SIGSTOP)
             try:
                 for second in (command[1:], ["solve", run, "--resume"], ["prepare", ROOM, "-o", run]):
@@ -274,7 +274,7 @@ class TwoAtOnce(InRun):
             finally:
                 first.kill()
             first.communicate()
-        result = enfilade("solve", fifo_scene, "-o", run, "--resume", "--no-pictures", "--quiet", "--target-error", "0.1")
+        result = enfilade("solve", scene, "-o", run, "--resume", "--no-pictures", "--quiet", "--target-error", "0.1")
         self.assertEqual(result.returncode, 0, result.stderr)
 
 

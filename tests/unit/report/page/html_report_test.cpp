@@ -117,6 +117,7 @@ TEST(HtmlReport, ReadsARunDirectory) {
   std::ofstream(run + "/stats.json") << R"({"ranks": 3})";
   std::ofstream(run + "/history.json") << R"([{"iteration": 1}])";
   RunMark mark;
+  mark.prepared = true;
   keep_prepared_file(run, "scene.json", R"({"licence": "CC BY 4.0", "surfaces": []})", mark);
   write_run_mark(run, mark);
   Manifest manifest;
