@@ -9,6 +9,7 @@
 #include <cstring>
 #include <thread>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 
 namespace enfilade {
@@ -96,6 +97,8 @@ void RunLock::write(const std::string& run_directory) {
   if (!take(F_WRLCK, ranks, patience_s))
     refuse(run_directory, "ranks of a run that has died are still at work there");
   let_go(ranks);
+  for (const char* folder : {"", "/common", "/pictures"})
+    remove_unfinished_files(run_directory + folder);
   writes_ = true;
   const std::string holder = this_process();
   // For messages alone: whether it can be written does not matter.

@@ -15,9 +15,9 @@ class RunLock {
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
-  /// Locks an existing RUN to write into it; does nothing where this object has done so. Readers,
-  /// and ranks of a run that died, get some seconds to end. Throws InputError where they do not, or
-  /// another process writes.
+  /// Locks an existing RUN to write, once, and removes unfinished files of commands that died.
+  /// Readers, and ranks of a run that died, get some seconds to end. Throws InputError where they
+  /// do not, or another process writes.
   void write(const std::string& run_directory);
   /// Locks a RUN to read it. Throws InputError where another process writes.
   void read(const std::string& run_directory);

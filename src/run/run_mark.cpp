@@ -153,8 +153,6 @@ void claim_run_directory(const std::string& run_directory, RunLock& lock) {
     throw InputError(run_directory, "-o", "cannot be made: " + code.message(), name_another);
   }
   lock.write(run_directory);
-  for (const char* folder : {"", "/common", "/pictures"})
-    remove_unfinished_files(run_directory + folder);
   write_run_mark(run_directory, {});
 }
 

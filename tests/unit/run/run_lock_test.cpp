@@ -72,6 +72,14 @@ TEST_F(RunLockTest, EndsWithItsProcessHoweverThatDies) {
   ::close(told[1]);
 }
 
+TEST_F(RunLockTest, WhatDeadCommandsLeftIsRemoved) {
+  const std::string left = run + "/common/manifest.json.part-0123456789abcdef";
+  std::filesystem::create_directories(run + "/common");
+  std::filesystem::copy_file("/proc/self/status", left);
+  RunLock().write(run);
+  EXPECT_FALSE(std::filesystem::exists(left));
+}
+
 TEST_F(RunLockTest, NoLinkIsFollowed) {
   std::filesystem::create_symlink("/dev/null", run + "/lock");
   EXPECT_THROW(RunLock().write(run), RunError);
