@@ -136,6 +136,7 @@ def main():
         kills = Kills(options, Path(scratch))
         for i in range(options.kills):
             kills.one(i)
+            print(f"trial {i + 1} of {options.kills}, {len(kills.faults)} faults", flush=True)
     print(f"{options.kills} trials of a solve of {kills.seconds:.1f} s and {kills.calls} calls: "
           + ", ".join(f"{count} {what}" for what, count in kills.done.items()) + f"; {len(kills.faults)} faults")
     print(*kills.faults, sep="\n")
