@@ -15,11 +15,13 @@ ClusterFigures of_files(const RunLayout& layout, const Manifest& manifest) {
   for (std::size_t c = 0; c < manifest.clusters; ++c) {
     const ClusterId id(c);
     const SectionFile geometry =
-        read_section(RunLayout::geometry(common, id), id, Section::geometry);
-    const SectionFile patches =
-        read_section(RunLayout::patches(common, id, manifest.slot()), id, Section::patches);
-    const SectionFile links =
-        read_section(RunLayout::links(common, id, patches.info.links_slot), id, Section::links);
+        read_section(RunLayout::geometry(common, id), {id, Section::geometry, 0, manifest.run});
+    const SectionFile patches = read_section(
+        RunLayout::patches(common, id, manifest.slot()),
+        {id, Section::patches, static_cast<std::uint32_t>(manifest.iteration), manifest.run});
+    const LinksPlace& at = patches.info.links;
+    const SectionFile links = read_section(RunLayout::links(common, id, at.slot),
+                                           {id, Section::links, at.iteration, manifest.run});
     figures.bytes.push_back(geometry.bytes.size() + patches.bytes.size());
     figures.work.push_back(static_cast<double>(links.info.count.links));
   }

@@ -95,12 +95,12 @@ CommandLine parse_command_line(int argc, const char* const* argv,
 }
 
 int run(const CommandLine& line, Session& session) {
-  session.console().print(line.text);
   if (line.fault) {
     session.console().error(line.fault->what());
     return bad_input_status;
   }
   try {
+    session.console().print(line.text);
     if (line.command && session.root()) line.command(session.console());
     return 0;
   } catch (const std::exception& error) {

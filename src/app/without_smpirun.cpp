@@ -7,7 +7,9 @@
 // The program interpreter, which makes a shared object one that the system can start; without it
 // (on other processors) a start without smpirun crashes.
 #if defined(__x86_64__)
-#define ENFILADE_START __attribute__((used, force_align_arg_pointer))
+// Sanitizers are not set up there either.
+#define ENFILADE_START \
+  __attribute__((used, force_align_arg_pointer, no_sanitize("address", "undefined")))
 __attribute__((used, section(".interp"))) const char interpreter[] = "/lib64/ld-linux-x86-64.so.2";
 #elif defined(__aarch64__)
 #define ENFILADE_START __attribute__((used))

@@ -8,8 +8,10 @@ InputError::InputError(std::string file, std::string where, std::string what, st
       where_(std::move(where)) {}
 
 void check_failed(const char* condition, const char* file, int line, const std::string& operands) {
-  throw std::logic_error(std::string(file) + ":" + std::to_string(line) +
-                         ": check failed: " + condition + " (" + operands + ")");
+  // The file's name alone: its folder is that of whoever built the program.
+  const std::string path(file);
+  throw CheckFailure(path.substr(path.rfind('/') + 1) + ":" + std::to_string(line) +
+                     ": check failed: " + condition + " (" + operands + ")");
 }
 
 }  // namespace enfilade

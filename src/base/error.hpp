@@ -25,7 +25,14 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::logic_error naming the failed condition; behind ENFILADE_CHECK.
+/// A programmer's fault that a check found. what() says where in the sources, for those who mend
+/// it.
+class CheckFailure : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Throws CheckFailure naming the failed condition; behind ENFILADE_CHECK.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line,
                                const std::string& operands);
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 
 namespace enfilade {
@@ -26,6 +27,10 @@ std::string remedy(int code) {
       return "give write permission there, or name another directory";
     case ENOENT:
       return "the run directory is not complete: prepare it again";
+    case ELOOP:
+      return "no link is followed there: remove it";
+    case EFBIG:
+      return "raise the limit of a file's size (ulimit -f), then go on with --resume";
     default:
       return "see to the disk, then go on with --resume";
   }
@@ -53,24 +58,29 @@ class Descriptor {
   int fd_;
 };
 
+}  // namespace
+
+void fail_to_write(const std::string& path, int code) {
+  throw RunError(path + ": cannot be written: " + std::strerror(code) + "; " +
+                 (code == ENOENT ? "see that its directory exists" : remedy(code)));
+}
+
 void write_all(int fd, const std::string& path, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const int code = errno;
-      fail(path, "cannot be written", code);
-    }
+    if (n < 0) fail_to_write(path, errno);
     bytes = bytes.subspan(static_cast<std::size_t>(n));
   }
 }
 
-}  // namespace
-
 std::vector<std::byte> read_file(const std::string& path) {
-  const Descriptor file(path, O_RDONLY | O_CLOEXEC, "cannot be read");
+  // O_NONBLOCK: a pipe in the file's place would wait for its writer.
+  const Descriptor file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, "cannot be read");
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "cannot be read", errno);
+  if (!S_ISREG(info.st_mode))
+    throw RunError(path + ": is no file; remove it, then prepare the run again");
   std::vector<std::byte> bytes(static_cast<std::size_t>(info.st_size));
   std::size_t have = 0;
   while (have < bytes.size()) {
@@ -88,7 +98,7 @@ void write_file(const std::string& path, std::span<const std::byte> head,
                 std::span<const std::byte> body) {
   // Over the old content rather than into a new file: creating one costs a file system a hundred
   // times more.
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_CLOEXEC, "cannot be written");
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, "cannot be written");
   write_all(file.get(), path, head);
   write_all(file.get(), path, body);
   struct stat info {};
@@ -107,17 +117,9 @@ void exchange_file(const std::string& from, const std::string& to) {
 void move_file(const std::string& from, const std::string& to) {
   if (std::rename(from.c_str(), to.c_str()) == 0) return;
   if (errno != EXDEV) fail(to, "cannot be put in place", errno);
-  const std::string temporary = to + ".moving";
-  write_file(temporary, read_file(from), {});
-  if (std::rename(temporary.c_str(), to.c_str()) != 0) fail(to, "cannot be put in place", errno);
+  const std::vector<std::byte> bytes = read_file(from);
+  replace_file(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   ::unlink(from.c_str());
-}
-
-void replace_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".new";
-  write_file(temporary, std::as_bytes(std::span(text)), {});
-  if (std::rename(temporary.c_str(), path.c_str()) != 0)
-    fail(path, "cannot be put in place", errno);
 }
 
 void flush_to_disk(const std::string& directory) {

@@ -8,10 +8,10 @@
 
 namespace enfilade {
 
-/// Returns all bytes of a file. Throws RunError.
+/// Returns all bytes of a regular file. Throws RunError, for anything else as well.
 std::vector<std::byte> read_file(const std::string& path);
 /// Replaces a file by `head` followed by `body`, not atomically: for files that no other process
-/// reads yet. Throws RunError.
+/// reads yet. A symbolic link is refused, not followed. Throws RunError.
 void write_file(const std::string& path, std::span<const std::byte> head,
                 std::span<const std::byte> body);
 /// Gives a file its final name, replacing a file of that name. Across file systems: copies, then
@@ -20,14 +20,15 @@ void move_file(const std::string& from, const std::string& to);
 /// As move_file(), but where the file system can exchange names, the replaced file stays under the
 /// name `from`, to be overwritten. Throws RunError.
 void exchange_file(const std::string& from, const std::string& to);
-/// Replaces a file atomically: if this process dies, the file holds all of the old or all of the
-/// new text. Throws RunError.
-void replace_file(const std::string& path, const std::string& text);
 /// Flushes all that was written to the file system of `directory`, so that it outlives a power cut
 /// (syncfs: seconds where much was written). Throws RunError.
 void flush_to_disk(const std::string& directory);
 /// Creates a directory and its parents. Throws RunError.
 void make_directory(const std::string& path);
+/// Writes all bytes to an open file. Throws RunError that names `path`.
+void write_all(int fd, const std::string& path, std::span<const std::byte> bytes);
+/// Throws RunError: `path` cannot be written, why (an errno), and what to do.
+[[noreturn]] void fail_to_write(const std::string& path, int code);
 /// Removes a directory and all in it, or a file, where it exists. Throws RunError.
 void remove_directory(const std::string& path);
 

@@ -17,25 +17,62 @@ TreeBox tree_box(const Box& b, double grow) {
           {b.hi.x + grow, b.hi.y + grow, b.hi.z + grow}};
 }
 
-std::vector<TreeEntry> entries_of(std::span<const Box> boxes) {
-  std::vector<TreeEntry> entries;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) entries.emplace_back(tree_box(boxes[i], 0.0), i);
-  return entries;
-}
+/// Fewer boxes than this are looked through one by one, which is faster.
+constexpr std::size_t few = 32;
 
 }  // namespace
 
 struct BoxTree::Impl {
-  explicit Impl(const std::vector<TreeEntry>& entries) : tree(entries.begin(), entries.end()) {}
-  bg::index::rtree<TreeEntry, bg::index::rstar<16>> tree;
+  using Tree = bg::index::rtree<TreeEntry, bg::index::quadratic<16>>;
+
+  explicit Impl(std::span<const Box> all) : boxes(all.begin(), all.end()) {
+    if (boxes.size() >= few) grow();
+  }
+  void grow() {
+    std::vector<TreeEntry> entries;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      entries.emplace_back(tree_box(boxes[i], 0.0), i);
+    tree = Tree(entries.begin(), entries.end());
+  }
+
+  std::vector<Box> boxes;
+  Tree tree;  ///< of all boxes, unless there are few
 };
 
-BoxTree::BoxTree(std::span<const Box> boxes) : impl_(std::make_unique<Impl>(entries_of(boxes))) {}
+BoxTree::BoxTree(std::span<const Box> boxes) : impl_(std::make_unique<Impl>(boxes)) {}
 
 BoxTree::~BoxTree() = default;
+BoxTree::BoxTree(BoxTree&&) noexcept = default;
+BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
+
+void BoxTree::add(const Box& box) {
+  impl_->boxes.push_back(box);
+  const std::size_t count = impl_->boxes.size();
+  if (count == few) impl_->grow();
+  if (count > few) impl_->tree.insert({tree_box(box, 0.0), static_cast<std::uint32_t>(count - 1)});
+}
+
+bool BoxTree::any_touching(const Box& box, double margin_m,
+                           const std::function<bool(std::uint32_t)>& holds) const {
+  if (impl_->boxes.size() < few) {
+    for (std::uint32_t i = 0; i < impl_->boxes.size(); ++i) {
+      if (impl_->boxes[i].overlaps(box, margin_m) && holds(i)) return true;
+    }
+    return false;
+  }
+  const auto near = bg::index::intersects(tree_box(box, margin_m));
+  return std::any_of(impl_->tree.qbegin(near), impl_->tree.qend(),
+                     [&](const TreeEntry& entry) { return holds(entry.second); });
+}
 
 std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) const {
   std::vector<std::uint32_t> found;
+  if (impl_->boxes.size() < few) {
+    for (std::uint32_t i = 0; i < impl_->boxes.size(); ++i) {
+      if (impl_->boxes[i].overlaps(box, margin_m)) found.push_back(i);
+    }
+    return found;
+  }
   const auto near = bg::index::intersects(tree_box(box, margin_m));
   for (auto it = impl_->tree.qbegin(near); it != impl_->tree.qend(); ++it)
     found.push_back(it->second);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,12 +13,20 @@ namespace enfilade {
 
 class BoxTree {
  public:
-  explicit BoxTree(std::span<const Box> boxes);
+  explicit BoxTree(std::span<const Box> boxes = {});
   ~BoxTree();
+  BoxTree(BoxTree&&) noexcept;
+  BoxTree& operator=(BoxTree&&) noexcept;
+
+  /// Adds a box, whose index is the number of boxes before it.
+  void add(const Box& box);
 
   /// Returns the indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on
   /// all sides.
   std::vector<std::uint32_t> touching(const Box& box, double margin_m) const;
+  /// Whether `holds` is true of one of them.
+  bool any_touching(const Box& box, double margin_m,
+                    const std::function<bool(std::uint32_t)>& holds) const;
 
  private:
   struct Impl;

@@ -4,11 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 
 namespace enfilade {
 namespace {
@@ -63,48 +61,66 @@ std::string plain_fault(const std::string& message) {
   const std::size_t syntax = message.find("syntax error");
   if (syntax != std::string::npos) return message.substr(syntax);
   const std::size_t colon = message.rfind(": ");
-  return colon == std::string::npos ? message : message.substr(colon + 2);
+  if (colon != std::string::npos) return message.substr(colon + 2);
+  return message.substr(message.find("] ") == std::string::npos ? 0 : message.find("] ") + 2);
+}
+
+/// Values deeper than this are refused before they are parsed: whoever walks them may recurse.
+constexpr std::size_t deepest = 100;
+
+void check_depth(const std::string& text, const std::string& path) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      if (++depth <= deepest) continue;
+      throw InputError(
+          path, line_and_column(text, i + 1),
+          "lists and objects lie in each other more than " + std::to_string(deepest) + " deep",
+          "no file of enfilade needs that: correct the text there");
+    } else if (!in_string && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+}
+
+template <class Json>
+[[noreturn]] void refuse(const std::string& text, const std::string& path,
+                         const typename Json::parse_error& error) {
+  const bool truncated = error.byte >= text.size();
+  throw InputError(
+      path, line_and_column(text, error.byte), "not valid JSON: " + plain_fault(error.what()),
+      truncated ? "the file ends too early, write it again" : "correct the text there");
 }
 
 template <class Json>
 Json parse(const std::string& text, const std::string& path) {
+  const MemoryPurpose purpose(path.c_str());
+  check_depth(text, path);
+  std::string repaired;
   try {
     return Json::parse(text);
   } catch (const typename Json::exception& first) {
-    std::string repaired;
-    if (quote_nonfinite(text, repaired)) {
-      Json value = Json::parse(repaired, nullptr, false);
-      if (!value.is_discarded()) return value;
+    if (!quote_nonfinite(text, repaired)) {
+      const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
+      if (syntax != nullptr) refuse<Json>(text, path, *syntax);
+      throw InputError(path, "file", "not valid JSON: " + plain_fault(first.what()),
+                       "write it again");
     }
-    const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
-    const std::size_t byte = syntax == nullptr ? 1 : syntax->byte;
-    const bool truncated = byte >= text.size();
-    throw InputError(
-        path, line_and_column(text, byte), "not valid JSON: " + plain_fault(first.what()),
-        truncated ? "the file ends too early, write it again" : "correct the text there");
+  }
+  try {
+    return Json::parse(repaired);
+  } catch (const typename Json::parse_error& error) {
+    refuse<Json>(repaired, path, error);
   }
 }
 
 }  // namespace
-
-std::string read_bytes(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path, "file", "is a directory", "give the path of a file in it");
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    const bool there = std::filesystem::exists(path, ignored);
-    throw InputError(path, "file", there ? "cannot be opened" : "does not exist",
-                     there ? "check its permissions" : "check the path");
-  }
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  std::string text = std::move(bytes).str();
-  if (in.bad()) throw InputError(path, "file", "cannot be read to its end", "check the disk");
-  if (text.empty()) throw InputError(path, "file", "is empty", "write it again");
-  return text;
-}
 
 nlohmann::json parse_json(const std::string& text, const std::string& path) {
   return parse<nlohmann::json>(text, path);

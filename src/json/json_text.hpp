@@ -4,13 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "json/input_file.hpp"
+
 namespace enfilade {
 
-/// Returns the bytes of a file. Throws InputError where it is missing, a directory, unreadable or
-/// empty.
-std::string read_bytes(const std::string& path);
-
-/// Parses `text` of file `path`, or throws InputError with line and column. NaN, Infinity and
+/// Parses `text` of file `path`, or throws InputError with line and column, also where lists and
+/// objects lie in each other more than 100 deep. NaN, Infinity and
 /// numbers too large for a double become strings of the same spelling, so that whoever reads the
 /// value can refuse it by its key.
 nlohmann::ordered_json parse_ordered_json(const std::string& text, const std::string& path);

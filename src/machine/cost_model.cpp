@@ -1,12 +1,11 @@
 #include "machine/cost_model.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "json/json_text.hpp"
 
 namespace enfilade {
 namespace {
@@ -52,23 +51,10 @@ Setter into(std::uint64_t& target) {
   return [&target](double v) { target = static_cast<std::uint64_t>(std::llround(v)); };
 }
 
-Json parse(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw InputError(path, "file", "cannot be read", "check the name and the permissions");
-  try {
-    return Json::parse(in);
-  } catch (const Json::parse_error& error) {
-    throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON",
-                     "correct the syntax there");
-  } catch (const Json::exception&) {
-    throw InputError(path, "file", "has a number too large to be read", "give numbers up to 1e18");
-  }
-}
-
 }  // namespace
 
 CostModel read_cost_model(const std::string& path) {
-  const Json document = parse(path);
+  const Json document = parse_json(read_bytes(path), path);
   if (!document.is_object() || document.value("format", Json()) != "enfilade-cost-model" ||
       document.value("version", Json()) != 1) {
     throw InputError(path, "format", "not an enfilade-cost-model of version 1",

@@ -46,6 +46,7 @@ struct Prepared {
   std::vector<PrepareStep> steps;  ///< pieces, cells, clusters, visibility
   double covered_area_m2 = 0.0;    ///< of surfaces covered by coplanar ones
   Warnings warnings;               ///< what the scene gave rise to
+  std::uint64_t preparation = 0;   ///< names scene, cells and clusters (RunMark::preparation)
 };
 
 /// Makes `graph` G_cluster, where it is not.

@@ -1,16 +1,13 @@
 #include "run/leak_file.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "base/posix_file.hpp"
 
 namespace enfilade {
 namespace {
 
-std::string path_of(const std::string& run_directory) { return run_directory + "/leaks.json"; }
+constexpr const char* file_name = "leaks.json";
 
 LeakKind kind_of(const std::string& name) {
   for (const LeakKind kind : {LeakKind::gap, LeakKind::open_side, LeakKind::lost_room}) {
@@ -21,7 +18,7 @@ LeakKind kind_of(const std::string& name) {
 
 }  // namespace
 
-void write_leaks(const std::string& run_directory, const std::vector<Leak>& leaks) {
+void write_leaks(const std::string& run_directory, const std::vector<Leak>& leaks, RunMark& mark) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Leak& leak : leaks) {
     nlohmann::ordered_json path = nlohmann::ordered_json::array();
@@ -32,17 +29,17 @@ void write_leaks(const std::string& run_directory, const std::vector<Leak>& leak
                     {"width_m", leak.width_m},
                     {"path", std::move(path)}});
   }
-  replace_file(path_of(run_directory),
-               nlohmann::ordered_json{{"leaks", std::move(list)}}.dump() + "\n");
+  keep_prepared_file(run_directory, file_name,
+                     nlohmann::ordered_json{{"leaks", std::move(list)}}.dump() + "\n", mark);
 }
 
 std::vector<Leak> read_leaks(const std::string& run_directory) {
-  const std::string file = path_of(run_directory);
   std::vector<Leak> leaks;
-  if (std::error_code code; !std::filesystem::exists(file, code)) return leaks;
+  const std::optional<RunMark> mark = read_run_mark(run_directory);
+  if (!mark || !mark->prepared) return leaks;
+  const std::string text = read_prepared_file(run_directory, file_name, *mark);
   try {
-    std::ifstream in(file);
-    const nlohmann::json json = nlohmann::json::parse(in);
+    const nlohmann::json json = nlohmann::json::parse(text);
     for (const auto& item : json.at("leaks")) {
       Leak leak{kind_of(item.at("kind")),
                 CellId(item.at("cell").get<std::uint32_t>()),
@@ -52,8 +49,8 @@ std::vector<Leak> read_leaks(const std::string& run_directory) {
       for (const auto& p : item.at("path")) leak.path.emplace_back(p.at(0), p.at(1), p.at(2));
       leaks.push_back(std::move(leak));
     }
-  } catch (const std::exception& error) {
-    throw RunError(file + ": is damaged (" + error.what() + "); prepare the run again");
+  } catch (const nlohmann::json::exception&) {
+    throw RunError(run_directory + "/" + file_name + ": holds no leaks; prepare the run again");
   }
   return leaks;
 }

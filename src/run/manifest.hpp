@@ -20,7 +20,9 @@ struct Manifest {
   Basis basis = Basis::constant;
   Hierarchy hierarchy = Hierarchy::building;
   std::uint64_t scene_hash = 0;
-  bool finished = false;  ///< the run has ended
+  std::uint64_t preparation = 0;  ///< Prepared::preparation
+  std::uint64_t run = 0;          ///< names the run: SectionPlace::run of all its files
+  bool finished = false;          ///< the run has ended
   /// Plan and figures of each iteration, as to_numbers() of solver/iteration_plan.hpp gives them.
   std::vector<std::vector<double>> history;
   /// The coarse correction of this iteration's light, [unknown * bands + band]; may be empty.
@@ -32,8 +34,11 @@ struct Manifest {
 };
 
 /// Reads the manifest; none where RUN holds no solution. Throws RunError for a manifest that is
-/// damaged or of another version.
+/// damaged (checksum) or of another version.
 std::optional<Manifest> read_manifest(const RunLayout& layout);
+/// The same where there must be one, and of what RUN is prepared for. Throws InputError where RUN
+/// holds no solution.
+Manifest committed_manifest(const RunLayout& layout);
 /// Commits the iteration. Once a run is finished, its files are flushed to the disk as well.
 void commit_manifest(const RunLayout& layout, const Manifest& manifest);
 /// Removes the manifest, so that RUN holds no solution.

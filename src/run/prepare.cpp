@@ -2,26 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/checksum.hpp"
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 #include "base/posix_file.hpp"
 #include "run/leak_file.hpp"
 #include "run/run_layout.hpp"
 #include "run/run_mark.hpp"
-#include "run/section_file.hpp"
 #include "scene/equal_bands.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 namespace {
-
-std::string text_of(const std::string& path) {
-  const std::vector<std::byte> bytes = read_file(path);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// What a RUN's content depends on beside the scene. The names are bound one by one, so that no new
 /// option compiles unless it is put here too.
@@ -72,34 +67,27 @@ std::string options_of(PrepareConfig config) {
 }
 
 /// The scene's own text where it is one of ours (extra keys and all), else the scene as imported.
-void keep_scene(const Scene& scene, const std::string& path) {
+void keep_scene(const Scene& scene, const std::string& run_directory, RunMark& mark) {
+  constexpr const char* name = "scene.json";
+  const std::string path = run_directory + "/" + name;
   if (scene.text.empty()) {
     write_scene(scene, path);
+    mark.files[name] = checksum(read_file(path));
   } else {
-    replace_file(path, scene.text);
+    keep_prepared_file(run_directory, name, scene.text, mark);
   }
 }
 
-/// Writes the bytes, then their checksum (u64, little-endian).
-void keep(std::string bytes, const std::string& path) {
-  const std::uint64_t sum = checksum(std::as_bytes(std::span(bytes)));
-  bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
-  replace_file(path, bytes);
-}
-
-/// `from_bytes` of a file that keep() wrote. Throws RunError with the file's name.
+/// `from_bytes` of a file of the preparation. Throws RunError with the file's name.
 template <class FromBytes>
-auto load(const std::string& path, FromBytes from_bytes) {
-  const std::string text = text_of(path);
-  std::uint64_t sum = 0;
-  const std::size_t size = text.size() - std::min(text.size(), sizeof sum);
-  std::memcpy(&sum, text.data() + size, text.size() - size);
-  const std::string_view bytes = std::string_view(text).substr(0, size);
+auto load(const std::string& run_directory, const char* name, const RunMark& mark,
+          FromBytes from_bytes) {
+  const std::string bytes = read_prepared_file(run_directory, name, mark);
   try {
-    if (sum != checksum(std::as_bytes(std::span(bytes)))) throw RunError("checksum");
-    return from_bytes(bytes);
+    return from_bytes(std::string_view(bytes));
   } catch (const RunError& error) {
-    throw RunError(path + ": is damaged (" + error.what() + "); prepare the run again");
+    throw RunError(run_directory + "/" + name + ": is damaged (" + error.what() +
+                   "); prepare the run again");
   }
 }
 
@@ -115,24 +103,42 @@ void refuse_to_drop(const std::string& run_directory) {
 }  // namespace
 
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
-                 Warnings& warnings, const Progress& progress) {
+                 Warnings& warnings) {
+  RunLock lock;
+  return prepare(scene, run_directory, config, warnings, {}, lock);
+}
+
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings, const Progress& progress, RunLock& lock) {
   const auto start = std::chrono::steady_clock::now();
+  const MemoryPurpose purpose("the preparation of the scene");
   check_run_directory(run_directory);
+  if (read_run_mark(run_directory)) lock.write(run_directory);
   std::vector<Leak> leaks;
   Prepared p = prepare_scene(scene, config, warnings, leaks, progress);
   // Everything is computed before anything is written: a bad scene leaves no half-made RUN.
-  claim_run_directory(run_directory);
+  claim_run_directory(run_directory, lock);
   remove_directory(run_directory + "/common");
   remove_directory(run_directory + "/local");
   remove_directory(run_directory + "/costs");
-  keep_scene(scene, run_directory + "/scene.json");
-  keep(to_bytes(p.cells), run_directory + "/cells.bin");
-  keep(to_bytes(std::span<const Cluster>(p.clusters)), run_directory + "/clusters.bin");
-  write_leaks(run_directory, leaks);
-  keep(to_bytes(p.graph), run_directory + "/graph.bin");
+  RunMark mark;
+  keep_scene(scene, run_directory, mark);
+  keep_prepared_file(run_directory, "cells.bin", to_bytes(p.cells), mark);
+  keep_prepared_file(run_directory, "clusters.bin", to_bytes(std::span<const Cluster>(p.clusters)),
+                     mark);
+  write_leaks(run_directory, leaks, mark);
+  keep_prepared_file(run_directory, "graph.bin", to_bytes(p.graph), mark);
   p.prepare_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_run_mark(run_directory, {true, p.scene.hash, options_of(config), p.has_visibility,
-                                 p.covered_area_m2, p.prepare_s, p.steps, p.warnings});
+  mark.prepared = true;
+  mark.scene_hash = p.scene.hash;
+  mark.options = options_of(config);
+  mark.has_visibility = p.has_visibility;
+  mark.covered_area_m2 = p.covered_area_m2;
+  mark.prepare_s = p.prepare_s;
+  mark.steps = p.steps;
+  mark.warnings = p.warnings;
+  write_run_mark(run_directory, mark);
+  p.preparation = mark.preparation();
   report_progress(progress, "visibility", 1.0);
   return p;
 }
@@ -144,7 +150,9 @@ bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
          mark->options == options_of(config);
 }
 
-Prepared load_prepared(const std::string& run_directory) {
+namespace {
+
+RunMark mark_of_prepared(const std::string& run_directory) {
   const auto mark = read_run_mark(run_directory);
   // A run that was left or damaged has its scene.
   if (mark && !mark->prepared && std::filesystem::exists(run_directory + "/history.json") &&
@@ -153,26 +161,43 @@ Prepared load_prepared(const std::string& run_directory) {
                      "name the run that was replayed; stats.json says which");
   }
   if (!mark || !mark->prepared) {
-    throw InputError(run_directory, "run.json", "not a prepared run",
+    const std::string fault = mark ? mark->fault : "";
+    throw InputError(run_directory, "run.json",
+                     fault.empty()                                ? "not a prepared run"
+                     : fault.find("version") != std::string::npos ? "of another version of enfilade"
+                                                                  : "damaged",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");
   }
+  return *mark;
+}
+
+}  // namespace
+
+std::string scene_text(const std::string& run_directory) {
+  return read_prepared_file(run_directory, "scene.json", mark_of_prepared(run_directory));
+}
+
+Prepared load_prepared(const std::string& run_directory) {
+  const RunMark mark = mark_of_prepared(run_directory);
   Prepared p;
   Warnings told_before;  // when the run was prepared
-  p.scene = read_scene(run_directory + "/scene.json", told_before);
+  p.scene = scene_from(read_prepared_file(run_directory, "scene.json", mark),
+                       run_directory + "/scene.json", told_before);
   p.scene.text = {};
   merge_equal_bands(p.scene);
-  p.scene.hash = mark->scene_hash;
-  p.cells = load(run_directory + "/cells.bin", complex_from_bytes);
-  p.clusters = load(run_directory + "/clusters.bin", clusters_from_bytes);
-  p.graph = load(run_directory + "/graph.bin", graph_from_bytes);
+  p.scene.hash = mark.scene_hash;
+  p.preparation = mark.preparation();
+  p.cells = load(run_directory, "cells.bin", mark, complex_from_bytes);
+  p.clusters = load(run_directory, "clusters.bin", mark, clusters_from_bytes);
+  p.graph = load(run_directory, "graph.bin", mark, graph_from_bytes);
   if (p.graph.size() != p.clusters.size()) {
     throw RunError(run_directory + "/graph.bin: is of other clusters; prepare the run again");
   }
-  p.has_visibility = mark->has_visibility;
-  p.prepare_s = mark->prepare_s;
-  p.steps = mark->steps;
-  p.covered_area_m2 = mark->covered_area_m2;
-  p.warnings = mark->warnings;
+  p.has_visibility = mark.has_visibility;
+  p.prepare_s = mark.prepare_s;
+  p.steps = mark.steps;
+  p.covered_area_m2 = mark.covered_area_m2;
+  p.warnings = mark.warnings;
   return p;
 }
 
@@ -207,12 +232,14 @@ void keep_visibility(Prepared& prepared, const std::string& run_directory,
   RunMark unfinished = *mark;
   unfinished.prepared = false;
   write_run_mark(run_directory, unfinished);
-  keep(to_bytes(prepared.graph), run_directory + "/graph.bin");
+  keep_prepared_file(run_directory, "graph.bin", to_bytes(prepared.graph), *mark);
   write_run_mark(run_directory, *mark);
 }
 
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
-                         const PrepareConfig& config, const Progress& progress, bool resume) {
+                         const PrepareConfig& config, const Progress& progress, bool resume,
+                         RunLock& lock) {
+  if (read_run_mark(run_directory)) lock.write(run_directory);
   if (read) {
     Warnings found;
     const Scene scene = read(found);
@@ -221,7 +248,7 @@ Prepared prepare_or_load(const SceneSource& read, const std::string& run_directo
     if (!serves(run_directory, scene.hash, config) &&
         !is_prepared(run_directory, scene.hash, less)) {
       if (resume) refuse_to_drop(run_directory);
-      return prepare(scene, run_directory, config, found, progress);
+      return prepare(scene, run_directory, config, found, progress, lock);
     }
   }
   Prepared prepared = load_prepared(run_directory);

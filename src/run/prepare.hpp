@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "preparation/preparation.hpp"
+#include "run/run_lock.hpp"
 
 namespace enfilade {
 
@@ -14,13 +15,18 @@ namespace enfilade {
 /// complete) and removes a solution that RUN held. Throws InputError, and writes nothing, where the
 /// scene is bad or the directory holds files and has no mark of enfilade. `warnings` are those of
 /// reading the scene; the warnings of the preparation are added.
+/// `lock` gets RUN locked to write.
 Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
-                 Warnings& warnings, const Progress& progress = {});
+                 Warnings& warnings, const Progress& progress, RunLock& lock);
+Prepared prepare(const Scene& scene, const std::string& run_directory, const PrepareConfig& config,
+                 Warnings& warnings);
 /// Finds G_cluster for a prepared RUN that has none, and keeps it there.
 void keep_visibility(Prepared& prepared, const std::string& run_directory,
                      const PrepareConfig& config, const Progress& progress = {});
 /// Throws InputError where RUN is not a prepared run.
 Prepared load_prepared(const std::string& run_directory);
+/// Returns the scene file as RUN keeps it. Throws as load_prepared().
+std::string scene_text(const std::string& run_directory);
 /// True where `run_directory` is prepared for the scene with this hash, and with this
 /// configuration.
 bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,
@@ -33,9 +39,9 @@ using SceneSource = std::function<Scene(Warnings&)>;
 /// configuration or with the same one and more (G_cluster, proofs of hidden pairs), RUN is loaded
 /// as it is. `read` may be empty: RUN must be prepared then. With `resume`, a RUN that has a
 /// solution of another scene is refused (InputError), not prepared anew. The scene's warnings are
-/// in the result.
+/// in the result. `lock` gets RUN locked to write, before anything is read from it.
 Prepared prepare_or_load(const SceneSource& read, const std::string& run_directory,
-                         const PrepareConfig& config, const Progress& progress = {},
-                         bool resume = false);
+                         const PrepareConfig& config, const Progress& progress, bool resume,
+                         RunLock& lock);
 
 }  // namespace enfilade

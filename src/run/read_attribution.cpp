@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "run/stats_json.hpp"
@@ -46,10 +45,9 @@ class TopLevelWords : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
-std::vector<std::string> read_attribution(const std::string& scene_file) {
-  std::ifstream in(scene_file);
+std::vector<std::string> read_attribution(const std::string& scene_text) {
   TopLevelWords words;
-  if (in) nlohmann::json::sax_parse(in, &words);
+  nlohmann::json::sax_parse(scene_text, &words);
   return words.lines;
 }
 

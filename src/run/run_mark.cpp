@@ -5,12 +5,15 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <vector>
 
+#include "base/atomic_file.hpp"
+#include "base/byte_stream.hpp"
+#include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "base/hash_text.hpp"
 #include "base/posix_file.hpp"
+#include "json/sealed_json.hpp"
 
 namespace enfilade {
 namespace {
@@ -18,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int run_version = 3;  // 3: G_cluster only where it is asked for
+// Version 4: checksums of the mark and of all files of the preparation.
+constexpr SealedFormat mark_format{"enfilade-run", 4, "run 'enfilade prepare' again"};
 constexpr const char* name_another = "name another directory with -o";
 
 std::string mark_path(const std::string& run_directory) { return run_directory + "/run.json"; }
@@ -27,36 +31,52 @@ std::string mark_path(const std::string& run_directory) { return run_directory +
 bool is_empty(const std::string& directory) {
   std::error_code code;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, code)) {
-    if (entry.path().filename() != "run.json.new") return false;
+    const std::string name = entry.path().filename().string();
+    if (name != "lock" && !is_unfinished_file(name)) return false;
   }
   return true;
 }
 
+void take_mark(const Json& json, RunMark& mark) {
+  mark.scene_hash = hash_from_text(json.at("scene_hash"));
+  mark.options = json.at("options").dump();
+  mark.has_visibility = json.at("has_visibility");
+  mark.covered_area_m2 = json.at("covered_area_m2");
+  mark.prepare_s = json.at("prepare_s");
+  for (const auto& [name, sum] : json.at("files").items()) mark.files[name] = hash_from_text(sum);
+  for (const Json& step : json.at("steps")) {
+    mark.steps.push_back({step.at("name"), step.at("wall_s"), step.at("peak_rss_bytes")});
+  }
+  for (const Json& w : json.at("warnings")) mark.warnings.add(w.at(0), w.at(1));
+  mark.prepared = json.at("prepared");
+}
+
 }  // namespace
 
-std::optional<RunMark> read_run_mark(const std::string& run_directory) {
-  std::ifstream in(mark_path(run_directory));
-  const Json json = in ? Json::parse(in, nullptr, false) : Json();
-  const auto format = json.is_object() ? json.find("format") : json.end();
-  if (format == json.end() || *format != "enfilade-run") return std::nullopt;
-  try {
-    if (json.at("version") != run_version) return RunMark{};
-    RunMark mark;
-    mark.scene_hash = hash_from_text(json.at("scene_hash"));
-    mark.options = json.at("options").dump();
-    mark.has_visibility = json.at("has_visibility");
-    mark.covered_area_m2 = json.at("covered_area_m2");
-    mark.prepare_s = json.at("prepare_s");
-    for (const Json& step : json.at("steps")) {
-      mark.steps.push_back({step.at("name"), step.at("wall_s"), step.at("peak_rss_bytes")});
-    }
-    for (const Json& w : json.at("warnings")) mark.warnings.add(w.at(0), w.at(1));
-    mark.prepared = json.at("prepared");
-    return mark;
-  } catch (const Json::exception&) {  // damaged, or of another version: to be prepared again
-  } catch (const std::logic_error&) {
+std::uint64_t RunMark::preparation() const {
+  ByteWriter w;
+  w.put(scene_hash);
+  for (const char* name : {"scene.json", "cells.bin", "clusters.bin"}) {
+    const auto file = files.find(name);
+    w.put(file == files.end() ? std::uint64_t{0} : file->second);
   }
-  return RunMark{};
+  return checksum(w.bytes());
+}
+
+std::optional<RunMark> read_run_mark(const std::string& run_directory) {
+  const std::string path = mark_path(run_directory);
+  if (std::error_code code; !fs::is_regular_file(path, code)) return std::nullopt;
+  const std::vector<std::byte> bytes = read_file(path);
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.find(mark_format.format) == std::string::npos) return std::nullopt;  // not ours
+  RunMark mark;
+  try {
+    unseal(mark_format, text, path, [&mark](const Json& json) { take_mark(json, mark); });
+  } catch (const RunError& error) {
+    mark = {};
+    mark.fault = error.what();
+  }
+  return mark;
 }
 
 void write_run_mark(const std::string& run_directory, const RunMark& mark) {
@@ -67,18 +87,36 @@ void write_run_mark(const std::string& run_directory, const RunMark& mark) {
     steps.push_back(
         {{"name", step.name}, {"wall_s", step.wall_s}, {"peak_rss_bytes", step.peak_rss_bytes}});
   }
-  const Json json = {{"format", "enfilade-run"},
-                     {"version", run_version},
-                     {"prepared", mark.prepared},
-                     {"scene_hash", hash_text(mark.scene_hash)},
-                     {"options", Json::parse(mark.options.empty() ? "{}" : mark.options)},
-                     {"has_visibility", mark.has_visibility},
-                     {"covered_area_m2", mark.covered_area_m2},
-                     {"prepare_s", mark.prepare_s},
-                     {"steps", steps},
-                     {"warnings", warnings}};
-  replace_file(mark_path(run_directory),
-               json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  Json files = Json::object();
+  for (const auto& [name, sum] : mark.files) files[name] = hash_text(sum);
+  replace_file(
+      mark_path(run_directory),
+      seal(mark_format, {{"prepared", mark.prepared},
+                         {"scene_hash", hash_text(mark.scene_hash)},
+                         {"options", Json::parse(mark.options.empty() ? "{}" : mark.options)},
+                         {"has_visibility", mark.has_visibility},
+                         {"covered_area_m2", mark.covered_area_m2},
+                         {"prepare_s", mark.prepare_s},
+                         {"files", files},
+                         {"steps", steps},
+                         {"warnings", warnings}}));
+}
+
+void keep_prepared_file(const std::string& run_directory, const std::string& name,
+                        std::string_view bytes, RunMark& mark) {
+  mark.files[name] = checksum(bytes);
+  replace_file(run_directory + "/" + name, bytes);
+}
+
+std::string read_prepared_file(const std::string& run_directory, const std::string& name,
+                               const RunMark& mark) {
+  const std::string path = run_directory + "/" + name;
+  const std::vector<std::byte> bytes = read_file(path);
+  const auto known = mark.files.find(name);
+  if (known == mark.files.end() || known->second != checksum(bytes)) {
+    throw RunError(path + ": is damaged, or of another run (checksum); prepare the run again");
+  }
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 void check_run_directory(const std::string& run_directory) {
@@ -104,13 +142,17 @@ void check_run_directory(const std::string& run_directory) {
   }
 }
 
-void claim_run_directory(const std::string& run_directory) {
+void claim_run_directory(const std::string& run_directory, RunLock& lock) {
   check_run_directory(run_directory);
   std::error_code code;
   fs::create_directories(run_directory, code);
+  if (code == std::errc::no_space_on_device || code == std::errc::io_error) {
+    throw RunError(run_directory + ": cannot be made: " + code.message() + "; see to the disk");
+  }
   if (code) {
     throw InputError(run_directory, "-o", "cannot be made: " + code.message(), name_another);
   }
+  lock.write(run_directory);
   write_run_mark(run_directory, {});
 }
 

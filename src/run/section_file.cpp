@@ -1,11 +1,9 @@
 #include "run/section_file.hpp"
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <array>
 
 #include "base/byte_stream.hpp"
+#include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 
@@ -13,7 +11,7 @@ namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> mark = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 3;  // 2: links without padding; 3: the header as well
+constexpr std::uint32_t version = 4;  // 2, 3: without padding; 4: run, iteration of the links
 
 /// The header without its own checksum.
 constexpr std::size_t summed_bytes =
@@ -58,10 +56,12 @@ Header header_from(std::span<const std::byte> bytes, const std::string& path) {
 }  // namespace
 
 void put_info(ByteWriter& w, const SectionInfo& info) {
-  w.put(info.cluster);
-  w.put(info.section);
-  w.put(info.links_slot);
-  w.put(info.iteration);
+  w.put(info.place.cluster);
+  w.put(info.place.section);
+  w.put(info.links.slot);
+  w.put(info.place.iteration);
+  w.put(info.place.run);
+  w.put(info.links.iteration);
   w.put(info.count.surfaces);
   w.put(info.count.patches);
   w.put(info.count.links);
@@ -70,19 +70,17 @@ void put_info(ByteWriter& w, const SectionInfo& info) {
 
 SectionInfo get_info(ByteReader& r) {
   SectionInfo info;
-  info.cluster = r.get<ClusterId>();
-  info.section = r.get<Section>();
-  info.links_slot = r.get<Slot>();
-  info.iteration = r.get<std::uint32_t>();
+  info.place.cluster = r.get<ClusterId>();
+  info.place.section = r.get<Section>();
+  info.links.slot = r.get<Slot>();
+  info.place.iteration = r.get<std::uint32_t>();
+  info.place.run = r.get<std::uint64_t>();
+  info.links.iteration = r.get<std::uint32_t>();
   info.count.surfaces = r.get<std::uint64_t>();
   info.count.patches = r.get<std::uint64_t>();
   info.count.links = r.get<std::uint64_t>();
   info.count.bytes = r.get<std::uint64_t>();
   return info;
-}
-
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-  return XXH64(bytes.data(), bytes.size(), 0);
 }
 
 void write_section(const std::string& path, const SectionInfo& info,
@@ -92,11 +90,17 @@ void write_section(const std::string& path, const SectionInfo& info,
   write_file(path, bytes_of(h), bytes);
 }
 
-SectionFile read_section(const std::string& path, ClusterId cluster, Section section) {
+SectionFile read_section(const std::string& path, const SectionPlace& place) {
   std::vector<std::byte> all = read_file(path);
   const Header h = header_from(all, path);
-  if (h.info.cluster != cluster || h.info.section != section)
+  const SectionPlace& found = h.info.place;
+  if (found.cluster != place.cluster || found.section != place.section)
     damaged(path, "belongs to another cluster or section");
+  if (found.run != place.run) damaged(path, "belongs to another run");
+  if (found.iteration != place.iteration) {
+    damaged(path, "is of iteration " + std::to_string(found.iteration) + ", not of " +
+                      std::to_string(place.iteration));
+  }
   if (h.info.count.bytes != all.size() - header_bytes) damaged(path, "the file is cut short");
   all.erase(all.begin(), all.begin() + header_bytes);
   if (h.body_checksum != checksum(all)) damaged(path, "the content is damaged (checksum)");

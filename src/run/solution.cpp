@@ -8,33 +8,36 @@ namespace enfilade {
 
 std::vector<ClusterState> read_solution(const std::string& run_directory, bool links) {
   const RunLayout layout(run_directory);
-  const std::optional<Manifest> manifest = read_manifest(layout);
-  if (!manifest) {
-    throw InputError(run_directory, "solution", "there is none",
-                     "run 'enfilade solve' on it first");
-  }
+  const Manifest manifest = committed_manifest(layout);
   std::vector<ClusterState> states;
-  states.reserve(manifest->clusters);
+  states.reserve(manifest.clusters);
   const std::string common = layout.common();
-  for (std::size_t i = 0; i < manifest->clusters; ++i) {
+  for (std::size_t i = 0; i < manifest.clusters; ++i) {
     const ClusterId id(i);
-    const auto geometry = read_section(RunLayout::geometry(common, id), id, Section::geometry);
+    const auto place = [&](Section section, std::uint32_t iteration) {
+      return SectionPlace{id, section, iteration, manifest.run};
+    };
+    const auto geometry =
+        read_section(RunLayout::geometry(common, id), place(Section::geometry, 0));
     const auto patches =
-        read_section(RunLayout::patches(common, id, manifest->slot()), id, Section::patches);
+        read_section(RunLayout::patches(common, id, manifest.slot()),
+                     place(Section::patches, static_cast<std::uint32_t>(manifest.iteration)));
     std::vector<std::byte> link_bytes;
     if (links) {
-      const std::string path = RunLayout::links(common, id, patches.info.links_slot);
-      link_bytes = read_section(path, id, Section::links).bytes;
+      const LinksPlace& at = patches.info.links;
+      link_bytes =
+          read_section(RunLayout::links(common, id, at.slot), place(Section::links, at.iteration))
+              .bytes;
     }
     ClusterState& state = states.emplace_back(geometry.bytes, patches.bytes, link_bytes);
     const auto bands = static_cast<std::size_t>(state.bands());
-    if (!manifest->correction.empty()) {
-      if (manifest->correction.size() != manifest->unknowns.count * bands ||
-          state.aggregates().size() > manifest->unknowns.aggregates[i]) {
+    if (!manifest.correction.empty()) {
+      if (manifest.correction.size() != manifest.unknowns.count * bands ||
+          state.aggregates().size() > manifest.unknowns.aggregates[i]) {
         throw RunError(run_directory +
                        ": the correction there is of other clusters; solve again without --resume");
       }
-      state.correct(manifest->unknowns.of(id, manifest->correction, bands));
+      state.correct(manifest.unknowns.of(id, manifest.correction, bands));
     }
   }
   return states;

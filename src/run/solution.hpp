@@ -9,8 +9,8 @@
 namespace enfilade {
 
 /// Returns all clusters of the last committed iteration, in order of their ids, after its coarse
-/// correction; with their links if `links`. Throws InputError where RUN holds no solution, RunError
-/// for a damaged file.
+/// correction; with their links if `links`. Throws InputError where RUN holds no solution,
+/// RunError for a file that is damaged or of another run.
 std::vector<ClusterState> read_solution(const std::string& run_directory, bool links = false);
 
 }  // namespace enfilade

@@ -1,18 +1,20 @@
 #include "run/stats_json.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "scene_file/scene_io.hpp"
+#include "json/json_text.hpp"
+#include "run/sealed_reports.hpp"
 
 namespace enfilade {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t most_ranks = 1u << 24;
 
 Json finite(double d) { return std::isfinite(d) ? Json(d) : Json(nullptr); }
 
@@ -55,22 +57,18 @@ RunRecord record_of(const Json& json, const std::string& path) {
   return record;
 }
 
-Json parse(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) refuse(path, "file", "it cannot be read");
-  try {
-    return Json::parse(in);
-  } catch (const nlohmann::json::exception& e) {
-    refuse(path, "JSON", e.what());
-  }
-}
-
-/// The file's list, or an empty one where there is no file.
-Json parse_list(const std::string& path) {
-  if (!std::filesystem::exists(path)) return Json::array();
-  Json json = parse(path);
+Json parse_list(const std::string& text, const std::string& path) {
+  Json json = parse_ordered_json(text, path);
   if (!json.is_array()) refuse(path, "top", "a list is expected");
   return json;
+}
+
+/// `from` of the file's text; an empty result where there is none.
+template <class Result>
+Result report(const std::string& run_directory, const char* name,
+              Result (*from)(const std::string& text, const std::string& path)) {
+  const std::optional<std::string> text = read_report(run_directory, name);
+  return text ? from(*text, run_directory + "/" + name) : Result{};
 }
 
 }  // namespace
@@ -85,31 +83,46 @@ void write_stats(const RunRecord& record, const std::string& path) {
   write_file_atomically(path, to_json(record));
 }
 
-RunRecord read_stats(const std::string& path) { return record_of(parse(path), path); }
+RunRecord record_from(const std::string& text, const std::string& path) {
+  return record_of(parse_ordered_json(text, path), path);
+}
 
-std::vector<RunRecord> read_history(const std::string& path) {
+std::vector<RunRecord> history_from(const std::string& text, const std::string& path) {
   std::vector<RunRecord> history;
-  for (const Json& item : parse_list(path)) history.push_back(record_of(item, path));
+  for (const Json& item : parse_list(text, path)) history.push_back(record_of(item, path));
   return history;
 }
 
-std::vector<Rank> read_owners(const std::string& path) {
+std::vector<Rank> owners_from(const std::string& text, const std::string& path) {
   std::vector<Rank> owners;
-  for (const Json& item : parse_list(path)) {
-    if (!item.is_number_unsigned())
+  for (const Json& item : parse_list(text, path)) {
+    if (!item.is_number_unsigned() || item.get<std::uint64_t>() > most_ranks)
       refuse(path, std::to_string(owners.size()), "a rank is expected");
     owners.push_back(Rank{item.get<int>()});
   }
   return owners;
 }
 
-std::vector<std::string> read_lines(const std::string& path) {
+std::vector<std::string> lines_from(const std::string& text, const std::string& path) {
   std::vector<std::string> lines;
-  for (const Json& item : parse_list(path)) {
+  for (const Json& item : parse_list(text, path)) {
     if (!item.is_string()) refuse(path, std::to_string(lines.size()), "a line of text is expected");
     lines.push_back(item.get<std::string>());
   }
   return lines;
+}
+
+RunRecord read_stats(const std::string& run_directory) {
+  return report(run_directory, "stats.json", record_from);
+}
+std::vector<RunRecord> read_history(const std::string& run_directory) {
+  return report(run_directory, "history.json", history_from);
+}
+std::vector<Rank> read_owners(const std::string& run_directory) {
+  return report(run_directory, "assignment.json", owners_from);
+}
+std::vector<std::string> read_warnings(const std::string& run_directory) {
+  return report(run_directory, "warnings.json", lines_from);
 }
 
 }  // namespace enfilade

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "geometry/box_tree.hpp"
 #include "geometry/clip.hpp"
@@ -15,116 +17,170 @@ bool emits(const Surface& surface) {
                      [](double e) { return e > 0.0; });
 }
 
-class Overlaps {
+/// What the pieces of one surface look like, to compare with others.
+using Material = std::pair<Spectrum, Spectrum>;
+
+class Covers {
  public:
-  Overlaps(const std::vector<Piece>& pieces, const Scene& scene, const SceneScale& scale)
-      : pieces_(pieces),
-        scene_(scene),
-        tolerance_(scale.coplanar()),
-        cut_(scale.cut()),
-        in_front_(pieces.size()),
-        duplicate_(pieces.size(), false) {
+  Covers(const std::vector<Piece>& pieces, const Scene& scene, const SceneScale& scale)
+      : pieces_(pieces), scene_(scene), scale_(scale) {
     for (const Piece& piece : pieces) {
       planes_.push_back(plane_of(piece.polygon));
       boxes_.push_back(bounds(piece.polygon));
+      areas_m2_.push_back(area_m2(piece.polygon));
     }
+    covered_.area_m2.assign(pieces.size(), 0.0);
+    covered_.duplicate.assign(pieces.size(), false);
   }
 
-  void find() {
-    const BoxTree tree(boxes_);
+  /// Of pieces with the same outline and material, the first stays.
+  void drop_duplicates() {
+    std::map<Material, Pile> kept;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      for (const std::uint32_t j : tree.touching(boxes_[i], tolerance_)) {
-        if (j > i && may_overlap(i, j)) note_overlap(i, j);
-      }
+      Pile& pile = kept[{surface(i).reflectance, surface(i).exitance}];
+      const auto near = pile.touching(boxes_[i], scale_.coplanar());
+      covered_.duplicate[i] =
+          std::any_of(near.begin(), near.end(), [&](auto j) { return same_outline(i, j); });
+      if (covered_.duplicate[i])
+        covered_.area_m2[i] = areas_m2_[i];
+      else
+        pile.add(i, boxes_[i]);
     }
   }
 
-  const std::vector<std::uint32_t>& in_front_of(std::size_t i) const { return in_front_[i]; }
-  bool duplicate(std::size_t i) const { return duplicate_[i]; }
-  std::vector<bool> take_duplicates() { return std::move(duplicate_); }
+  /// From the front to the back: each piece loses what lies under those in front of it. What is
+  /// covered as a whole covers nothing itself that is not covered already, so that a pile of any
+  /// height costs each piece its visible neighbours alone.
+  std::vector<Piece> cut() {
+    std::vector<std::vector<Polygon>> left(pieces_.size());
+    Pile seen;
+    for (const std::uint32_t i : from_the_front()) {
+      bool overlapped = false;
+      left[i] = {pieces_[i].polygon};
+      for (const std::uint32_t j : seen.touching(boxes_[i], scale_.coplanar())) {
+        if (left[i].empty()) break;
+        if (!may_overlap(i, j) || !overlap(i, j)) continue;
+        overlapped = true;
+        take_away(left[i], pieces_[j].polygon);
+      }
+      std::erase_if(left[i], [&](const Polygon& p) {
+        return width_of(p) <= scale_.sliver(bounds(p).diagonal());
+      });
+      if (overlapped) {
+        covered_.area_m2[i] = areas_m2_[i];
+        for (const Polygon& part : left[i]) covered_.area_m2[i] -= area_m2(part);
+      }
+      if (!left[i].empty()) seen.add(i, boxes_[i]);
+    }
+    std::vector<Piece> remaining;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      for (Polygon& part : left[i]) remaining.push_back({pieces_[i].surface, std::move(part)});
+    }
+    return remaining;
+  }
+
+  Covered take() { return std::move(covered_); }
 
  private:
+  /// Pieces that are looked up by their boxes.
+  struct Pile {
+    BoxTree tree;
+    std::vector<std::uint32_t> pieces;
+
+    void add(std::uint32_t piece, const Box& box) {
+      tree.add(box);
+      pieces.push_back(piece);
+    }
+    /// In ascending order.
+    std::vector<std::uint32_t> touching(const Box& box, double margin_m) const {
+      std::vector<std::uint32_t> found = tree.touching(box, margin_m);
+      for (std::uint32_t& f : found) f = pieces[f];
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+  };
+
+  /// What emits first, then what comes later in the file; without duplicates.
+  std::vector<std::uint32_t> from_the_front() const {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      if (!covered_.duplicate[i]) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const bool a_emits = emits(surface(a)), b_emits = emits(surface(b));
+      return a_emits != b_emits ? a_emits : pieces_[a].surface > pieces_[b].surface;
+    });
+    return order;
+  }
+
   // Cheap: same facing, and not wholly on one side of the other's plane.
   bool may_overlap(std::uint32_t i, std::uint32_t j) const {
     if (pieces_[i].surface == pieces_[j].surface || glm::dot(planes_[i].n, planes_[j].n) < 0.999)
       return false;
+    const double tolerance = scale_.coplanar();
     bool above = false, below = false;
     for (const Vec3& p : pieces_[j].polygon) {
       const double d = planes_[i].signed_distance(p);
-      above |= d >= -tolerance_;
-      below |= d <= tolerance_;
+      above |= d >= -tolerance;
+      below |= d <= tolerance;
     }
     return above && below;
   }
 
-  void note_overlap(std::uint32_t i, std::uint32_t j) {
-    const Polygon common = intersect_coplanar(pieces_[i].polygon, pieces_[j].polygon, cut_);
-    if (common.size() < 3 || width_of(common) <= cut_) return;
+  /// Returns what two pieces have in common in their plane; null where that is nothing.
+  std::optional<Polygon> overlap(std::uint32_t i, std::uint32_t j) const {
+    Polygon common = intersect_coplanar(pieces_[i].polygon, pieces_[j].polygon, scale_.cut());
+    if (common.size() < 3 || width_of(common) <= scale_.cut()) return std::nullopt;
+    const double tolerance = scale_.coplanar();
     for (const Vec3& p : common) {
       // Parallel within a degree is not enough: where they overlap they must be in one plane.
-      if (std::abs(planes_[i].signed_distance(p)) > tolerance_ ||
-          std::abs(planes_[j].signed_distance(p)) > tolerance_)
-        return;
+      if (std::abs(planes_[i].signed_distance(p)) > tolerance ||
+          std::abs(planes_[j].signed_distance(p)) > tolerance)
+        return std::nullopt;
     }
-    const Surface& a = surface(i);
-    const Surface& b = surface(j);
-    const double shared = area_m2(common), slack = cut_ * 4.0 * bounds(common).diagonal();
-    const bool same_outline = area_m2(pieces_[i].polygon) - shared <= slack &&
-                              area_m2(pieces_[j].polygon) - shared <= slack;
-    if (same_outline && a.reflectance == b.reflectance && a.exitance == b.exitance) {
-      duplicate_[later_of(i, j)] = true;
-      return;
-    }
-    const bool j_in_front = emits(a) != emits(b) ? emits(b) : later_of(i, j) == j;
-    in_front_[j_in_front ? i : j].push_back(j_in_front ? j : i);
+    return common;
   }
 
-  std::uint32_t later_of(std::uint32_t i, std::uint32_t j) const {
-    return pieces_[i].surface > pieces_[j].surface ? i : j;
+  bool same_outline(std::uint32_t i, std::uint32_t j) const {
+    // Cheap first: of the same outline they have the same area.
+    const double longest = scale_.cut() * 4.0 * boxes_[i].diagonal();
+    if (std::abs(areas_m2_[i] - areas_m2_[j]) > longest || !may_overlap(i, j)) return false;
+    const std::optional<Polygon> common = overlap(i, j);
+    if (!common) return false;
+    const double shared = area_m2(*common), slack = scale_.cut() * 4.0 * bounds(*common).diagonal();
+    return areas_m2_[i] - shared <= slack && areas_m2_[j] - shared <= slack;
   }
+
+  void take_away(std::vector<Polygon>& parts, const Polygon& cover) const {
+    std::vector<Polygon> next;
+    for (const Polygon& part : parts) {
+      for (Polygon& left : subtract_coplanar(part, cover, scale_.cut()))
+        next.push_back(std::move(left));
+    }
+    parts = std::move(next);
+  }
+
   const Surface& surface(std::uint32_t i) const {
     return scene_.surfaces[pieces_[i].surface.index()];
   }
 
   const std::vector<Piece>& pieces_;
   const Scene& scene_;
-  double tolerance_, cut_;
+  const SceneScale& scale_;
   std::vector<Plane> planes_;
   std::vector<Box> boxes_;
-  std::vector<std::vector<std::uint32_t>> in_front_;
-  std::vector<bool> duplicate_;
+  std::vector<double> areas_m2_;
+  Covered covered_;
 };
 
 }  // namespace
 
 Covered cut_covered(std::vector<Piece>& pieces, const Scene& scene, const SceneScale& scale) {
-  Overlaps overlaps(pieces, scene, scale);
-  overlaps.find();
-  Covered covered{std::vector<double>(pieces.size(), 0.0), {}};
-  std::vector<Piece> remaining;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const double area = area_m2(pieces[i].polygon);
-    covered.area_m2[i] = area;
-    if (overlaps.duplicate(i)) continue;
-    std::vector<Polygon> parts{pieces[i].polygon};
-    for (const std::uint32_t j : overlaps.in_front_of(i)) {
-      if (overlaps.duplicate(j)) continue;  // its twin covers the same
-      std::vector<Polygon> next;
-      for (const Polygon& part : parts) {
-        for (Polygon& left : subtract_coplanar(part, pieces[j].polygon, scale.cut()))
-          next.push_back(std::move(left));
-      }
-      parts = std::move(next);
-    }
-    std::erase_if(
-        parts, [&](const Polygon& p) { return width_of(p) <= scale.sliver(bounds(p).diagonal()); });
-    for (const Polygon& part : parts) covered.area_m2[i] -= area_m2(part);
-    if (overlaps.in_front_of(i).empty()) covered.area_m2[i] = 0.0;
-    for (Polygon& part : parts) remaining.push_back({pieces[i].surface, std::move(part)});
-  }
+  Covers covers(pieces, scene, scale);
+  covers.drop_duplicates();
+  std::vector<Piece> remaining = covers.cut();
   pieces = std::move(remaining);
-  covered.duplicate = overlaps.take_duplicates();
-  return covered;
+  return covers.take();
 }
 
 }  // namespace enfilade

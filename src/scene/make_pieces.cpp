@@ -3,38 +3,18 @@
 #include <cstdio>
 
 #include "base/error.hpp"
-#include "json/json_text.hpp"
 #include "scene/convex_parts.hpp"
 #include "scene/coplanar.hpp"
 #include "scene/facing.hpp"
+#include "scene/scene_limits.hpp"
 
 namespace enfilade {
 namespace {
-
-std::string label(const Scene& scene, SurfaceId id) {
-  const std::string& name = scene.surfaces[id.index()].name;
-  std::string where = "surfaces[" + std::to_string(id.value) + "]";
-  if (!name.empty()) where.append(" ").append(in_quotes(name));
-  return where;
-}
 
 std::string with_area(std::string where, double area_m2) {
   char text[32];
   std::snprintf(text, sizeof text, " (%.4g m2)", area_m2);
   return where + text;
-}
-
-/// Farther out, lengths and areas lose their digits, and at last overflow.
-constexpr double farthest_m = 1e9;
-
-void refuse_far(const Scene& scene) {
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    for (const Vec3& p : scene.surfaces[s].vertices) {
-      if (glm::all(glm::lessThanEqual(glm::abs(p), Vec3(farthest_m)))) continue;
-      throw InputError(scene.file, label(scene, SurfaceId(s)) + ".vertices",
-                       "a vertex lies beyond 1e9 m", "check the numbers and the unit of length");
-    }
-  }
 }
 
 // Convex parts of one surface; adds the warnings about its shape.
@@ -94,7 +74,7 @@ void warn_covered(const Scene& scene, const std::vector<Piece>& before, const Co
 }  // namespace
 
 std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings, PieceReport* report) {
-  refuse_far(scene);
+  check_limits(scene);
   const SceneScale scale(scene);
   PieceReport counts;
   std::vector<Piece> pieces;

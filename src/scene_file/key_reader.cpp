@@ -1,16 +1,9 @@
 #include "scene_file/key_reader.hpp"
 
-#include <cmath>
-
+#include "base/limits.hpp"
 #include "json/json_text.hpp"
 
 namespace enfilade {
-namespace {
-
-constexpr double most_light = 1e30;  ///< so that products of light, areas and errors stay finite
-
-}  // namespace
-
 std::string KeyReader::shown_value(const nlohmann::json& value) { return shown(value); }
 
 Vec3 KeyReader::point(const nlohmann::json& value, const std::string& where) const {
@@ -27,20 +20,34 @@ Vec3 KeyReader::point(const nlohmann::json& value, const std::string& where) con
   return p;
 }
 
+Vec3 KeyReader::place(const nlohmann::json& value, const std::string& where, double scale) const {
+  const Vec3 p = scale * point(value, where);
+  if (const auto fault = limits::fault_of_place(p)) fail(where, fault.what, fault.hint);
+  return p;
+}
+
+Vec3 KeyReader::direction(const nlohmann::json& value, const std::string& where) const {
+  const Vec3 v = point(value, where);
+  if (const auto fault = limits::fault_of_direction(v)) fail(where, fault.what, fault.hint);
+  return limits::unit(v);
+}
+
 Spectrum KeyReader::spectrum(const nlohmann::json& value, const std::string& where,
                              double high) const {
   const bool listed = value.is_array();
   if (listed && value.empty()) fail(where, "is an empty list", "write one number, or one per band");
+  const std::size_t count = listed ? value.size() : 1;
+  if (const auto fault = limits::fault_of_count(count, limits::most_bands, "bands"))
+    fail(where, fault.what, fault.hint);
   Spectrum bands;
-  for (std::size_t i = 0; i < (listed ? value.size() : 1); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const nlohmann::json& entry = listed ? value[i] : value;
     const auto place = [&] { return listed ? where + "[" + std::to_string(i) + "]" : where; };
     const double x = entry.is_number() ? entry.get<double>() : finite(entry, place());
-    if (x < 0.0) fail(place(), "is " + shown(entry) + ", below zero", "write 0 or more");
-    if (x > most_light) {
-      fail(place(), "is " + shown(entry) + ", more than numbers can carry on with",
-           "write it in a larger unit: at most 1e30");
-    }
+    const bool share =
+        x >= 0.0 && x < high && high == 1.0;  // a reflectance may be as small as it likes
+    if (const auto fault = limits::fault_of_light(x); fault && !share)
+      fail(place(), "is " + shown(entry) + ", " + fault.what, fault.hint);
     if (x >= high) {
       fail(place(), "is " + shown(entry) + ", outside [0, 1)",
            "a surface reflects less than all light: write 0 to 0.9999");
@@ -63,6 +70,8 @@ bool KeyReader::flag(const nlohmann::json& value, const std::string& where) cons
 
 const nlohmann::json& KeyReader::list(const nlohmann::json& value, const std::string& where) const {
   if (!value.is_array()) fail(where, "is " + shown(value) + ", not a list", "write [...]");
+  if (const auto fault = limits::fault_of_count(value.size(), limits::most_items, "entries"))
+    fail(where, fault.what, fault.hint);
   return value;
 }
 
@@ -95,12 +104,8 @@ std::vector<Probe> KeyReader::probes(const nlohmann::json& document, double scal
     const nlohmann::json& entry = (*it)[i];
     const std::string where = "probes[" + std::to_string(i) + "]";
     Probe probe;
-    probe.p = scale * point(need(entry, "p", where), where + ".p");
-    probe.n = point(need(entry, "n", where), where + ".n");
-    const double length = glm::length(probe.n);
-    if (!(length > 0.0))
-      fail(where + ".n", "has no length", "write the normal of the plane to measure on");
-    probe.n /= length;
+    probe.p = place(need(entry, "p", where), where + ".p", scale);
+    probe.n = direction(need(entry, "n", where), where + ".n");
     probes.push_back(probe);
     for (auto key = entry.begin(); unknown != nullptr && key != entry.end(); ++key) {
       if (key.key() != "p" && key.key() != "n") unknown->insert("probes[]." + key.key());

@@ -28,10 +28,15 @@ class KeyReader {
     return value.get<double>();
   }
   Vec3 point(const nlohmann::json& value, const std::string& where) const;
+  /// Returns a place in metres, within the limits (base/limits.hpp).
+  Vec3 place(const nlohmann::json& value, const std::string& where, double scale) const;
+  /// Returns a direction of any length as a unit vector.
+  Vec3 direction(const nlohmann::json& value, const std::string& where) const;
   /// Returns one number or a list of them, each checked to lie in [low, high).
   Spectrum spectrum(const nlohmann::json& value, const std::string& where, double high) const;
   std::string text(const nlohmann::json& value, const std::string& where) const;
   bool flag(const nlohmann::json& value, const std::string& where) const;
+  /// Returns the list, which is within the limits.
   const nlohmann::json& list(const nlohmann::json& value, const std::string& where) const;
   /// Returns the value under `key`, which must be there.
   const nlohmann::json& need(const nlohmann::json& object, const char* key,

@@ -1,4 +1,5 @@
 // Probe files: a list of points, and the same list with answers.
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "json/json_text.hpp"
 #include "scene_file/key_reader.hpp"
@@ -6,20 +7,21 @@
 
 namespace enfilade {
 
-std::vector<Probe> read_probes(const std::string& path) {
-  const nlohmann::json document = parse_json(read_bytes(path), path);
+ProbeFile read_probes(const std::string& path) {
+  ProbeFile file{path, read_bytes(path), {}};
+  const nlohmann::json document = parse_json(file.text, path);
   const KeyReader keys(path);
   keys.list(keys.need(document, "probes", "top level"), "probes");
-  std::vector<Probe> probes = keys.probes(document, keys.metres_per_unit(document), nullptr);
-  if (probes.empty())
+  file.probes = keys.probes(document, keys.metres_per_unit(document), nullptr);
+  if (file.probes.empty())
     throw InputError(path, "probes", "is empty", "name a point, as in {\"p\": [0, 0, 1]}");
-  return probes;
+  return file;
 }
 
-void write_probe_answers(const std::string& source_path, const std::string& path,
+void write_probe_answers(const ProbeFile& source, const std::string& path,
                          const std::vector<ProbeAnswer>& answers, const std::string& from,
                          ExitanceUnit unit) {
-  nlohmann::ordered_json document = parse_ordered_json(read_bytes(source_path), source_path);
+  nlohmann::ordered_json document = parse_ordered_json(source.text, source.path);
   // Where the probes came with a scene, its geometry is no part of the answer.
   document.erase("surfaces");
   document.erase("lights");

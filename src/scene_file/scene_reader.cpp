@@ -1,14 +1,13 @@
 // Reads the JSON scene; the format is described in scenes/scene.schema.json.
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
 #include <string_view>
 
+#include "base/checksum.hpp"
 #include "json/json_text.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene_file/key_reader.hpp"
 #include "scene_file/scene_io.hpp"
 
@@ -31,7 +30,7 @@ class SceneReader {
   Scene read(std::string text) {
     const json document = parse_json(text, keys_.file());
     scene_.file = keys_.file();
-    scene_.hash = XXH64(text.data(), text.size(), 0);
+    scene_.hash = checksum(text);
     read_head(document);
     const json& surfaces = keys_.list(keys_.need(document, "surfaces", "top level"), "surfaces");
     if (surfaces.empty())
@@ -41,6 +40,7 @@ class SceneReader {
     read_lights(document);
     scene_.probes = keys_.probes(document, scale_, &unknown_);
     broadcast();
+    check_limits(scene_);
     warn();
     scene_.text = std::move(text);
     return std::move(scene_);
@@ -141,7 +141,7 @@ class SceneReader {
         }
       }
       PointLight light;
-      light.p = scale_ * keys_.point(keys_.need(entry, "p", where), where + ".p");
+      light.p = keys_.place(keys_.need(entry, "p", where), where + ".p", scale_);
       light.intensity = keys_.spectrum(keys_.need(entry, "intensity", where), where + ".intensity",
                                        std::numeric_limits<double>::infinity());
       note_bands(light.intensity, where + ".intensity");
@@ -194,7 +194,11 @@ class SceneReader {
 }  // namespace
 
 Scene read_scene(const std::string& path, Warnings& warnings) {
-  return SceneReader(path, warnings).read(read_bytes(path));
+  return scene_from(read_bytes(path), path, warnings);
+}
+
+Scene scene_from(std::string text, const std::string& path, Warnings& warnings) {
+  return SceneReader(path, warnings).read(std::move(text));
 }
 
 }  // namespace enfilade

@@ -1,15 +1,9 @@
 #include "scene_file/scene_stream.hpp"
 
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
-
-#include "base/error.hpp"
 
 namespace enfilade {
 namespace {
@@ -123,19 +117,10 @@ void append_list(std::string& text, const char* key, const Items& items, Append 
 
 }  // namespace
 
-SceneStream::SceneStream(std::string path, ExitanceUnit unit)
-    : path_(std::move(path)), temporary_(path_ + ".part" + std::to_string(::getpid())) {
-  file_ = std::fopen(temporary_.c_str(), "wbe");
-  if (file_ == nullptr) fail();
+SceneStream::SceneStream(std::string path, ExitanceUnit unit) : file_(std::move(path)) {
   text_ =
       "{\"format\": \"enfilade-scene\", \"version\": 1, \"units\": \"m\", \"exitanceUnits\": \"";
   text_ += std::string(name_of(unit)) + "\"";
-}
-
-SceneStream::~SceneStream() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  ::unlink(temporary_.c_str());
 }
 
 void SceneStream::add(const Surface& surface) {
@@ -155,22 +140,12 @@ void SceneStream::finish(const std::vector<PointLight>& lights, const std::vecto
   append_list(text_, "luminaires", building.luminaires, append_luminaire);
   text_ += "\n}\n";
   flush();
-  // Without the flush to disk a power cut could leave the new name with none of the bytes.
-  bool fine = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
-  fine = std::fclose(std::exchange(file_, nullptr)) == 0 && fine;
-  if (!fine || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
+  file_.commit(true);
 }
 
 void SceneStream::flush() {
-  if (std::fwrite(text_.data(), 1, text_.size(), file_) != text_.size()) fail();
+  file_.add(text_);
   text_.clear();
-}
-
-void SceneStream::fail() {
-  const int cause = errno;
-  ::unlink(temporary_.c_str());
-  throw RunError(path_ + ": cannot be written: " + std::strerror(cause) +
-                 "; see to the directory and its permissions, or name another file");
 }
 
 }  // namespace enfilade

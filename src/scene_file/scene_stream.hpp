@@ -1,10 +1,10 @@
 // Writes a scene surface by surface, so that its size needs no memory.
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -14,9 +14,6 @@ namespace enfilade {
 class SceneStream {
  public:
   SceneStream(std::string path, ExitanceUnit unit);
-  ~SceneStream();
-  SceneStream(const SceneStream&) = delete;
-  SceneStream& operator=(const SceneStream&) = delete;
 
   void add(const Surface& surface);
   void finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes,
@@ -24,10 +21,8 @@ class SceneStream {
 
  private:
   void flush();
-  [[noreturn]] void fail();
 
-  std::string path_, temporary_;
-  std::FILE* file_ = nullptr;
+  AtomicFile file_;
   std::string text_;  ///< not yet written
   bool any_surface_ = false;
 };

@@ -38,7 +38,7 @@ SectionBytes ClusterFiles::write(const ClusterState& cluster, bool links_changed
   const auto add = [&](Section section, RecordCount count) {
     std::vector<std::byte> bytes = cluster.bytes_of(section);
     count.bytes = bytes.size();
-    sections.push_back({{cluster.id(), section, 0, Slot::a, count}, std::move(bytes)});
+    sections.push_back({{{cluster.id(), section}, {}, count}, std::move(bytes)});
   };
   add(Section::patches, {0, cluster.patches().size(), 0, 0});
   if (links_changed) add(Section::links, {0, 0, cluster.links().size(), 0});

@@ -17,7 +17,9 @@ namespace enfilade {
 class ClusterStore final : public ClusterFiles {
  public:
   /// Makes the rank's local directory, empty; the directory is removed with the store.
-  ClusterStore(const RunLayout& layout, Rank rank, std::size_t clusters, Machine& machine);
+  /// `run`: Manifest::run.
+  ClusterStore(const RunLayout& layout, std::uint64_t run, Rank rank, std::size_t clusters,
+               Machine& machine);
   ~ClusterStore() override;
   ClusterStore(const ClusterStore&) = delete;
   ClusterStore& operator=(const ClusterStore&) = delete;
@@ -46,8 +48,9 @@ class ClusterStore final : public ClusterFiles {
   std::string local_directory_;
   Machine& machine_;
   SectionCharges charges_;
+  std::uint64_t run_ = 0;
   int committed_ = 0;
-  std::vector<Slot> links_slot_;  ///< of the newest links, by cluster
+  std::vector<LinksPlace> links_;  ///< the newest ones, by cluster
 };
 
 }  // namespace enfilade

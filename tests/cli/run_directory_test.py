@@ -89,7 +89,7 @@ class OwnFiles(InRun):
         (self.run_directory / "pictures/storey-1-assignment.svg").write_text("of the old solution")
         self.assertEqual(enfilade("prepare", ROOM, "-o", self.run_directory).returncode, 0)
         self.assertEqual(sorted(p.name for p in self.run_directory.iterdir()),
-                         ["cells.bin", "clusters.bin", "graph.bin", "leaks.json", "notes.txt", "pictures", "run.json",
+                         ["cells.bin", "clusters.bin", "graph.bin", "leaks.json", "lock", "notes.txt", "pictures", "run.json",
                           "scene.json"])
         self.assertEqual(sorted(p.name for p in (self.run_directory / "pictures").iterdir()),
                          ["storey-1-cells.png", "storey-1-cells.svg"])
@@ -258,6 +258,11 @@ class SimulatedInputs(InScratch):
         environment = dict(os.environ, PLATFORM=str(platform)) if platform else None
         command = [ROOT / ".ci/smpirun.sh", str(ranks), os.environ["ENFILADE_SMPI"], *map(str, args)]
         return subprocess.run(command, capture_output=True, text=True, timeout=240, cwd=self.scratch, env=environment)
+
+    def test_without_smpirun_it_says_how_to_start_it(self):
+        for arguments in ([], ["--help"], ["solve", ROOM, "-o", self.scratch / "run"]):
+            result = subprocess.run([os.environ["ENFILADE_SMPI"], *map(str, arguments)], capture_output=True, text=True)
+            self.assert_refused(result, "smpirun -platform")
 
     def test_any_number_of_ranks_finds_hosts(self):
         for ranks in (3, 7):

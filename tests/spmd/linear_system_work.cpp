@@ -75,7 +75,7 @@ LinearSystemWork::LinearSystemWork(const LinearSystem& system, const RunLayout& 
     : system_(system),
       layout_(layout),
       machine_(machine),
-      store_(layout, rank, system.blocks, machine),
+      store_(layout, 0, rank, system.blocks, machine),
       labour_(std::move(labour)) {}
 
 void LinearSystemWork::initialise() {
@@ -85,7 +85,7 @@ void LinearSystemWork::initialise() {
     const ClusterId id(i);
     const std::span<const double> b(system_.b.data() + i * system_.block_size, system_.block_size);
     write_section(RunLayout::patches(layout_.common(), id, Slot::a),
-                  {id, Section::patches, 0, Slot::a, record_of(b.size())}, std::as_bytes(b));
+                  {{id, Section::patches}, {}, record_of(b.size())}, std::as_bytes(b));
   }
   commit({}, {}, false);
 }
@@ -119,7 +119,7 @@ IterationFigures LinearSystemWork::gather(ClusterId receiver) {
   machine_.compute(figures.work);
   const auto block = std::as_bytes(std::span(x.data() + first, size));
   store_.store_sections(
-      {{{receiver, Section::patches, 0, Slot::a, record_of(size)}, {block.begin(), block.end()}}});
+      {{{{receiver, Section::patches}, {}, record_of(size)}, {block.begin(), block.end()}}});
   gathered_.push_back(receiver);
   return figures;
 }
@@ -136,12 +136,13 @@ void LinearSystemWork::commit(const std::vector<IterationSummary>& history, std:
 
 std::vector<double> LinearSystemWork::committed(const LinearSystem& system,
                                                 const RunLayout& layout) {
-  const Slot slot = read_manifest(layout).value().slot();
+  const Manifest manifest = read_manifest(layout).value();
   std::vector<double> x;
   for (std::size_t i = 0; i < system.blocks; ++i) {
     const ClusterId id(i);
     const auto file =
-        read_section(RunLayout::patches(layout.common(), id, slot), id, Section::patches);
+        read_section(RunLayout::patches(layout.common(), id, manifest.slot()),
+                     {id, Section::patches, static_cast<std::uint32_t>(manifest.iteration)});
     const std::vector<double> v = doubles(file.bytes);
     x.insert(x.end(), v.begin(), v.end());
   }

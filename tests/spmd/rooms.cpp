@@ -96,9 +96,11 @@ Prepared prepared_in(Context& context, const std::string& run, const Scene& scen
     write_scene(scene, scene_file);
   });
   Warnings warnings;
+  RunLock lock;
   return prepare_on_root(
       context.communicator,
-      [&scene_file](Warnings& found) { return read_scene(scene_file, found); }, run, {}, warnings);
+      [&scene_file](Warnings& found) { return read_scene(scene_file, found); }, run, {}, warnings,
+      {}, false, lock);
 }
 
 std::vector<double> mean_radiosities(const std::vector<ClusterState>& clusters) {

@@ -6,9 +6,9 @@
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/export/solution_glb.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -39,6 +39,8 @@ void run_export(const ExportOptions& options, const Console& console) {
                      "name a .glb file for the light or a .json file for the graph");
   }
   check_output_file(options.output);
+  RunLock lock;
+  lock.read(options.run);
   const std::string content = extension == ".json"
                                   ? graph_json(with_visibility(options.run, console.progress()))
                                   : solution_glb(SolvedRun(options.run).solved_scene());

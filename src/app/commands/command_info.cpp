@@ -12,6 +12,7 @@
 #include "run/leak_file.hpp"
 #include "run/stats_json.hpp"
 #include "scene/equal_bands.hpp"
+#include "scene/scene_limits.hpp"
 
 namespace enfilade {
 
@@ -85,18 +86,20 @@ void run_info(const InfoOptions& options, const Console& console) {
   TextTable table(input);
   if (std::error_code code; !std::filesystem::is_directory(input, code)) {
     Warnings warnings;
-    add_scene(table, read_scene_or_model(input, warnings));
+    const Scene scene = read_scene_or_model(input, warnings);
+    check_limits(scene);
+    add_scene(table, scene);
     console.warnings(warnings);
   } else {
+    RunLock lock;
+    lock.read(input);
     const Prepared prepared = load_prepared(input);
     add_scene(table, prepared.scene);
     add_prepared_figures(table, prepared);
     add_leaks(table, read_leaks(input));
     add_prepare_cost(table, prepared);
-    if (const std::string file = input + "/stats.json"; std::filesystem::exists(file)) {
-      const RunRecord stats = read_stats(file);
-      for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
-    }
+    const RunRecord stats = read_stats(input);
+    for (const auto& [key, value] : stats.entries()) table.add(key, shown_value(key, value));
   }
   console.print(table.text());
 }

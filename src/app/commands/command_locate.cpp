@@ -5,8 +5,8 @@
 #include "app/commands/point_file.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
+#include "base/atomic_file.hpp"
 #include "run/prepare.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -27,6 +27,8 @@ struct LocateOptions {
 
 void run_locate(const LocateOptions& options, const Console& console) {
   check_output_file(options.output);
+  RunLock lock;
+  lock.read(options.run);
   const Prepared prepared = load_prepared(options.run);
   nlohmann::json cells = nlohmann::json::array();
   std::size_t outside = 0, none = 0;

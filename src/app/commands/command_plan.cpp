@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 #include "app/commands/commands.hpp"
 #include "app/frame/option_checks.hpp"
@@ -12,12 +11,12 @@
 #include "app/frame/text_table.hpp"
 #include "app/outputs/plan_files.hpp"
 #include "assignment/assignment.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/plans/plan_leaks.hpp"
 #include "run/leak_file.hpp"
 #include "run/prepare.hpp"
 #include "run/stats_json.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -125,9 +124,7 @@ std::vector<Rank> chosen_owners(const PlanOptions& options, const Prepared& prep
                             .parts = options.ranks,
                             .seed = options.seed});
   }
-  const std::string file = options.run + "/assignment.json";
-  std::vector<Rank> owner;
-  if (std::error_code code; std::filesystem::exists(file, code)) owner = read_owners(file);
+  std::vector<Rank> owner = read_owners(options.run);
   if (owner.size() != prepared.clusters.size()) {
     throw InputError(options.run, "assignment.json", "the run is not solved",
                      "give --ranks P to compute an assignment, or solve the run first");
@@ -149,6 +146,8 @@ PlanSubject chosen_subject(const PlanOptions& options, const Building& building,
 
 void run_plan(const PlanOptions& options, const Console& console) {
   check(options);
+  RunLock lock;
+  lock.read(options.run);
   Prepared prepared = load_prepared(options.run);
   const Occluders occluders(prepared.clusters);
   const Building building{prepared.cells, prepared.clusters, occluders};

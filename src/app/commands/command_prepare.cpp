@@ -30,10 +30,12 @@ struct PrepareOptions {
 void run_prepare(const PrepareOptions& options, const Console& console) {
   Warnings warnings;
   const Scene scene = read_scene_or_model(options.scene, warnings);
+  RunLock lock;
   PrepareConfig config;
   config.visibility.prove_hidden = options.prove_hidden;
   config.cluster_graph = options.hierarchy == "clusters" || !options.prove_hidden;
-  const Prepared prepared = prepare(scene, options.run, config, warnings, console.progress());
+  const Prepared prepared = prepare(scene, options.run, config, warnings, console.progress(), lock);
+  if (!lock.fault().empty()) warnings.add(options.run + "/lock", lock.fault());
   remove_run_outputs(options.run);  // of the solution that was dropped
   console.warnings(warnings);
   if (options.pictures) {

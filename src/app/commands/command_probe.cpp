@@ -26,11 +26,14 @@ struct ProbeOptions {
 
 void run_probe(const ProbeOptions& options, const Console& console) {
   check_output_file(options.output);
-  const std::vector<Probe> probes = read_probes(options.points);
+  const ProbeFile points = read_probes(options.points);
+  const std::vector<Probe>& probes = points.probes;
+  RunLock lock;
+  lock.read(options.run);
   const SolvedRun run(options.run, options.gather);
   const ProbeAnswers found =
       irradiance_at(run, probes, probe_method(options.from), console.progress());
-  write_probe_answers(options.points, options.output, found.answers, options.from,
+  write_probe_answers(points, options.output, found.answers, options.from,
                       run.prepared().scene.unit);
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));

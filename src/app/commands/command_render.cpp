@@ -7,12 +7,12 @@
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/pictures/camera.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/render.hpp"
 #include "report/pictures/tone_mapping.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -45,6 +45,7 @@ Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
     camera.look_at = point(options.look_at);
     if (!options.up.empty()) camera.up = point(options.up);
     camera.vertical_angle_deg = options.vertical_angle_deg;
+    check_camera(camera, "command line", "--");
     return camera;
   }
   const std::vector<Camera> cameras =
@@ -63,17 +64,6 @@ void check(const RenderOptions& options) {
     throw InputError("command line", "render", "--eye and --look-at belong together",
                      "give both or neither");
   }
-  for (const auto& [name, numbers] :
-       {std::pair{"--eye", &options.eye}, {"--look-at", &options.look_at}, {"--up", &options.up}}) {
-    if (std::ranges::all_of(*numbers, [](double x) { return std::isfinite(x); })) continue;
-    throw InputError("command line", name, "is no point", "give three finite numbers");
-  }
-  if (!options.eye.empty() && options.eye == options.look_at) {
-    throw InputError("command line", "--look-at", "is where the eye is", "look at another point");
-  }
-  if (!options.up.empty() && point(options.up) == Vec3(0.0)) {
-    throw InputError("command line", "--up", "has no direction", "give another, as 0 0 1");
-  }
   if (options.scale.highest > 0.0 && options.scale.lowest >= options.scale.highest) {
     throw InputError("command line", "--highest", "is not above --lowest", "give a higher one");
   }
@@ -86,6 +76,8 @@ void check(const RenderOptions& options) {
 
 void run_render(const RenderOptions& options, const Console& console) {
   check(options);
+  RunLock lock;
+  lock.read(options.run);
   const SolvedRun run(options.run);
   const SolvedScene solved = run.solved_scene();
   const Camera camera = choose_camera(options, solved);

@@ -4,8 +4,8 @@
 #include "app/frame/text_table.hpp"
 #include "app/outputs/run_outputs.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "report/page/html_report.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -28,6 +28,8 @@ void run_report(const ReportOptions& options, const Console& console) {
   check_output_file(options.output);
   std::vector<RunPage> pages;
   for (const std::string& directory : options.runs) {
+    RunLock lock;
+    lock.read(directory);
     const SolvedRun run(directory);
     pages.push_back(
         make_run_page(directory, run.solved_scene(), options.pictures, console.progress()));

@@ -23,7 +23,7 @@ std::vector<Vec3> read_points(const std::string& path) {
     const std::string where = key + "[" + std::to_string(i) + "]";
     const nlohmann::json& item = list[i];
     const nlohmann::json& p = item.is_object() ? keys.need(item, "p", where) : item;
-    points.push_back(scale * keys.point(p, where));
+    points.push_back(keys.place(p, where, scale));
   }
   return points;
 }

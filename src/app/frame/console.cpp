@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 
 #include "app/frame/text_table.hpp"
+#include "base/error.hpp"
 
 namespace enfilade {
 
@@ -28,7 +31,7 @@ class Console::Meter {
     const bool sure = fraction > 0.02 && fraction < 1.0 && spent_s > 1.0;
     const std::string left =
         sure ? ", about " + format_duration(spent_s * (1.0 - fraction) / fraction) + " left" : "";
-    fmt::print(stderr, "\r\x1b[K{} {:.0f}%{}", text, 100.0 * fraction, left);
+    fmt::print(stderr, "\r\x1b[K{} {:.0f}%{}", terminal_text(text), 100.0 * fraction, left);
     std::fflush(stderr);
     shown_ = true;
   }
@@ -51,30 +54,28 @@ Console::Console(Console&&) noexcept = default;
 Console& Console::operator=(Console&&) noexcept = default;
 
 void Console::print(std::string_view text) const {
-  if (!speaks_) return;
+  if (!speaks_ || text.empty()) return;
   end_progress();
-  fmt::print("{}", text);
-  std::fflush(stdout);
+  const std::string safe = terminal_text(text);
+  errno = 0;
+  if (std::fwrite(safe.data(), 1, safe.size(), stdout) == safe.size() && std::fflush(stdout) == 0)
+    return;
+  throw RunError(std::string("standard output: cannot be written: ") + std::strerror(errno) +
+                 "; see what it is redirected to");
 }
 
-void Console::error(const std::string& message) const {
-  if (!speaks_) return;
-  end_progress();
-  fmt::print(stderr, "enfilade: error: {}\n", on_one_line(message));
-}
+void Console::error(const std::string& message) const { line("error: ", message); }
 
 void Console::warnings(const Warnings& warnings) const {
-  if (!speaks_) return;
-  end_progress();
-  for (const std::string& line : warnings.summary()) {
-    fmt::print(stderr, "enfilade: warning: {}\n", on_one_line(line));
-  }
+  for (const std::string& text : warnings.summary()) line("warning: ", text);
 }
 
-void Console::note(const std::string& message) const {
+void Console::note(const std::string& message) const { line("", message); }
+
+void Console::line(const char* kind, const std::string& text) const {
   if (!speaks_) return;
   end_progress();
-  fmt::print(stderr, "enfilade: {}\n", on_one_line(message));
+  fmt::print(stderr, "enfilade: {}{}\n", kind, terminal_text(on_one_line(text)));
 }
 
 Progress Console::progress() const {
@@ -85,19 +86,6 @@ Progress Console::progress() const {
 
 void Console::end_progress() const {
   if (meter_) meter_->wipe();
-}
-
-std::string on_one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const bool blank = c == '\n' || c == '\r' || c == '\t';
-    if (!blank)
-      line += c;
-    else if (!line.empty() && line.back() != ' ')
-      line += ' ';
-  }
-  while (!line.empty() && line.back() == ' ') line.pop_back();
-  return line;
 }
 
 }  // namespace enfilade

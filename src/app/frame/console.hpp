@@ -1,5 +1,5 @@
 // The program's output: results on standard output, errors, warnings and progress on
-// standard error.
+// standard error. Here text leaves for the terminal, so here it is made safe (base/safe_text.hpp).
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/progress.hpp"
+#include "base/safe_text.hpp"
 #include "base/warnings.hpp"
 
 namespace enfilade {
@@ -20,7 +21,7 @@ class Console {
   Console& operator=(Console&&) noexcept;
 
   bool speaks() const { return speaks_; }
-  /// Writes the text, unchanged, to standard output.
+  /// Writes the text to standard output. Throws RunError where that cannot be written.
   void print(std::string_view text) const;
   /// Writes "enfilade: error: ..." on one line, whatever line breaks the message has.
   void error(const std::string& message) const;
@@ -35,12 +36,11 @@ class Console {
   void end_progress() const;
 
  private:
+  void line(const char* kind, const std::string& text) const;
+
   class Meter;
   bool speaks_ = true;
   std::shared_ptr<Meter> meter_;
 };
-
-/// Line breaks and tabs become single spaces.
-std::string on_one_line(const std::string& text);
 
 }  // namespace enfilade

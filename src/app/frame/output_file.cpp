@@ -16,6 +16,10 @@ void check_output_file(const std::string& path) {
   if (fs::is_directory(path, code)) {
     throw InputError(path, "-o", "is a directory", "name a file in it");
   }
+  if (fs::is_symlink(path, code) && fs::is_regular_file(path, code) &&
+      (path.starts_with("/dev/") || path.starts_with("/proc/"))) {
+    throw InputError(path, "-o", "stands for a file that is open already", "name that file itself");
+  }
   fs::path parent = fs::path(path).parent_path();
   if (parent.empty()) parent = ".";
   if (!fs::is_directory(parent, code)) {

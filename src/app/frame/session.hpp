@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <string>
 
 #include "app/frame/console.hpp"
 
@@ -9,6 +10,9 @@ namespace enfilade {
 
 /// Exit statuses of the program: a failure while running, and bad input or a bad command line.
 inline constexpr int broken_run_status = 1, bad_input_status = 2;
+
+/// Returns an error as a user reads it, in the program's own words whatever library it comes from.
+std::string words_of(const std::exception& error);
 
 /// RankSession (app/solve/rank_session.hpp) is the same for the ranks of an MPI program.
 class Session {
@@ -23,7 +27,7 @@ class Session {
   virtual int fail(const std::exception& error);
 
  protected:
-  explicit Session(bool root) : console_(root) {}
+  explicit Session(bool root);
 
  private:
   Console console_;

@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/safe_text.hpp"
+
 namespace enfilade {
 
 std::string TextTable::text() const {
   std::size_t width = 0;
   for (const auto& [label, value] : rows_) width = std::max(width, label.size());
-  std::string out = title_.empty() ? "" : title_ + "\n";
+  std::string out = title_.empty() ? "" : on_one_line(title_) + "\n";
   for (const auto& [label, value] : rows_)
-    out += fmt::format("  {:<{}}  {}\n", label, width, value);
+    out += fmt::format("  {:<{}}  {}\n", on_one_line(label), width, on_one_line(value));
   return out;
 }
 

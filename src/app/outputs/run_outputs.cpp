@@ -7,10 +7,12 @@
 
 #include "app/outputs/plan_files.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "report/export/solution_glb.hpp"
 #include "report/export/surfaces_csv.hpp"
 #include "report/pictures/camera.hpp"
+#include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 #include "scene_file/scene_io.hpp"
 #include "solver/error_estimate.hpp"
@@ -43,7 +45,8 @@ RunRecord record_of(const IterationSummary& summary) {
   return record;
 }
 
-void write_records(const std::string& run, const RunRecords& records) {
+void write_records(const std::string& run_directory, const RunRecords& records) {
+  const std::string run = run_directory + "/";
   write_stats(records.stats, run + "stats.json");
   write_file_atomically(run + "history.json", history_json(records.history));
   write_file_atomically(run + "warnings.json",
@@ -51,6 +54,7 @@ void write_records(const std::string& run, const RunRecords& records) {
   std::vector<int> ranks;
   for (const Rank rank : records.owner) ranks.push_back(rank.value);
   write_file_atomically(run + "assignment.json", nlohmann::json(ranks).dump() + "\n");
+  seal_reports(run_directory);
 }
 
 /// "View from room 3, false colour" -> "view-from-room-3-false-colour".
@@ -82,7 +86,7 @@ RunPage make_run_page(const std::string& run_directory, const SolvedScene& solve
   RunPage page = read_run_page(run_directory);
   std::vector<Camera> cameras;
   if (pictures) cameras = automatic_cameras(solved);
-  const std::vector<Rank> owner = read_owners(run_directory + "/assignment.json");
+  const std::vector<Rank> owner = read_owners(run_directory);
   add_pictures(page, solved, cameras, owner, {}, progress);
   return page;
 }
@@ -90,23 +94,26 @@ RunPage make_run_page(const std::string& run_directory, const SolvedScene& solve
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name :
-       {"stats.json", "history.json", "warnings.json", "assignment.json", "probes.json",
-        "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
+       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json",
+        "probes.json", "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }
 
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress) {
   const std::string directory = outputs.run_directory + "/";
-  write_records(directory, records);
+  write_records(outputs.run_directory, records);
   const SolvedRun run(std::move(records.prepared), outputs.run_directory);
   const SolvedScene solved = run.solved_scene();
   write_file_atomically(directory + "surfaces.csv", surfaces_csv(solved));
   write_file_atomically(directory + "solution.glb", solution_glb(solved));
   if (const auto& probes = solved.scene.probes; !probes.empty()) {
-    write_probe_answers(outputs.probe_source, directory + "probes.json",
-                        irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
-                        solved.scene.unit);
+    // The run's own copy of the scene counts: the file that was given may be another by now.
+    write_probe_answers(
+        {directory + "scene.json", scene_text(outputs.run_directory), solved.scene.probes},
+        directory + "probes.json",
+        irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
+        solved.scene.unit);
   }
   const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
   if (outputs.pictures) write_run_plans(outputs.run_directory, page.plans);

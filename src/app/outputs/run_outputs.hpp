@@ -16,7 +16,6 @@ namespace enfilade {
 
 struct RunOutputs {
   std::string run_directory;
-  std::string probe_source;  ///< the file with the scene's probes
   bool pictures = true;
 };
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "base/error.hpp"
+#include "base/run_on_threads.hpp"
 #include "base/usable_cores.hpp"
 #include "run/history.hpp"
 #include "run/solution.hpp"
@@ -73,11 +73,9 @@ ProbeAnswers irradiance_at(const SolvedRun& run, std::span<const Probe> probes, 
                       static_cast<double>(i + 1) / static_cast<double>(probes.size()));
     }
   };
-  std::vector<std::jthread> others;
-  for (int t = 1; t < std::min(usable_cores(), static_cast<int>(probes.size())); ++t)
-    others.emplace_back(work, false);
-  work(true);
-  others.clear();
+  run_on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(usable_cores()),
+                                                        probes.size())),
+                 work);
   found.in_the_open = in_the_open;
   found.behind = behind;
   return found;

@@ -13,6 +13,7 @@
 #include "app/solve/run_description.hpp"
 #include "app/solve/solve_options.hpp"
 #include "app/solve/solve_summary.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 #include "import/import_model.hpp"
@@ -21,7 +22,6 @@
 #include "run/prepare.hpp"
 #include "run/run_mark.hpp"
 #include "run/stats_json.hpp"
-#include "scene_file/scene_io.hpp"
 #include "schemes/protocol/prepare_on_root.hpp"
 #include "schemes/protocol/rank_profiles.hpp"
 #include "schemes/replay/replay.hpp"
@@ -80,9 +80,11 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   PrepareConfig prepare_config;  // proofs of hidden pairs pay where a solve makes millions of links
   prepare_config.visibility.prove_hidden = false;
   prepare_config.cluster_graph = config.topmost() == Hierarchy::clusters;
+  RunLock lock;
   Prepared prepared =
       prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
-                      prepare_config, warnings, console.progress(), config.resume);
+                      prepare_config, warnings, console.progress(), config.resume, lock);
+  if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
 
   communicator.on_root([&] {
@@ -106,7 +108,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
       for (const Warning& w : found.all()) warnings.add(w.where, w.what);
     }
     const auto owner = assign_clusters(prepared, config, communicator.size());
-    write_run_outputs({config.run_directory, options.probe_source(), options.pictures},
+    write_run_outputs({config.run_directory, options.pictures},
                       {std::move(prepared), stats, history, owner, warnings}, console.progress());
     if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
   });
@@ -117,13 +119,18 @@ void run_replay(const SolveOptions& options, RankSession& session) {
   Communicator& communicator = session.communicator();
   const SolveConfig config = agree_on_config(options, session);
   Machine& machine = session.machine(options.cost_model);
-  communicator.on_root([&] { check_run_directory(config.run_directory); });
+  RunLock recorded, lock;
+  communicator.on_root([&] {
+    check_run_directory(config.run_directory);
+    recorded.read(options.replay);
+    if (read_run_mark(config.run_directory)) lock.write(config.run_directory);
+  });
   if (options.trace) machine.trace();
   std::vector<IterationSummary> history;
   RunRecord stats = replay(options.replay, config, communicator, machine,
                            [&history](const IterationSummary& s) { history.push_back(s); });
   communicator.on_root([&] {
-    claim_run_directory(config.run_directory);
+    claim_run_directory(config.run_directory, lock);
     remove_run_outputs(config.run_directory);
     describe_strategies(stats, config);
     stats.set("replayed", options.replay);

@@ -26,7 +26,7 @@ int RankSession::fail(const std::exception& error) {
   const int status = exit_status_of(error);
   // The rank that fails first reports the error; the others learn of it from that rank.
   if (dynamic_cast<const PeerFailure*>(&error) != nullptr) return status;
-  Console(true).error(error.what());
+  Console(true).error(words_of(error));
   if (communicator_ && communicator_->size() > 1 && !communicator_->others_know())
     communicator_->abort(status);
   return status;

@@ -36,6 +36,9 @@ constexpr std::array of_the_light = {
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
     "--resume",       "--patch-links",    "--hierarchy"};
 
+/// Below this share of the light, what is asked for drowns in the rounding of numbers.
+constexpr double least_share = 1e-9;
+
 Basis basis_of(const std::string& name) {
   return name == "constant" ? Basis::constant : Basis::linear;
 }
@@ -67,7 +70,7 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   OptionGroup group(sub, "How good");
   group.add("--target-error", o.target_error,
             "Error to reach: relative, area-weighted L1 of the irradiance (0.02 = 2%)",
-            number_between(0.0, 1.0));
+            number_between(least_share, 1.0));
   group.add("--patch-links", o.patch_links,
             "Hold what is read off patches (surfaces.csv, pictures, model) to the target error as "
             "well, until there are more links than this; past it only light gathered for (probe) "
@@ -76,12 +79,12 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
       .add("--epsilon", o.epsilon,
            "Refine links whose error is above this share of the emitted power; default: what the "
            "target error asks for")
-      ->check(number_between(0.0, 1.0));
+      ->check(number_between(least_share, 1.0));
   group
       .add("--tolerance", o.tolerance,
            "Stop iterating below this relative change of the light; default: what the target "
            "error asks for")
-      ->check(number_between(0.0, 1.0));
+      ->check(number_between(least_share, 1.0));
   group.add("--basis", o.basis, "Light over a patch: constant or linear; auto means linear",
             CLI::IsMember({"constant", "linear", "auto"}));
   group.add("--oracle", o.oracle,
@@ -159,10 +162,6 @@ std::string SolveOptions::run_directory() const {
   if (output.empty()) return input;
   std::error_code missing;
   return fs::equivalent(input, output, missing) ? input : output;
-}
-
-std::string SolveOptions::probe_source() const {
-  return is_directory(input) ? (fs::path(input) / "scene.json").string() : input;
 }
 
 void SolveOptions::check_replay() const {

@@ -33,8 +33,6 @@ struct SolveOptions {
   /// Empty where the input is a RUN directory that is solved in place.
   std::string scene_file() const;
   std::string run_directory() const;
-  /// Returns the file whose probes are answered: it has the keys that the user gave them.
-  std::string probe_source() const;
   /// Returns whether the user chose the basis: `--basis auto` leaves the choice to the program.
   bool basis_is_given() const;
   /// Throws InputError for values that are none or that do not go together.

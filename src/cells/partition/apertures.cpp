@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/box_tree.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -22,9 +24,15 @@ class Apertures {
             const std::vector<std::vector<std::uint32_t>>& neighbours, double tolerance_m)
       : faces_(faces), cut_(cut), neighbours_(neighbours), reach_m_(4.0 * tolerance_m) {
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
-      for (const Polygon& p : faces[i].openings) openings_.push_back({&p, bounds(p), i, normal(p)});
+      for (const Polygon& p : faces[i].openings) {
+        openings_.push_back({&p, bounds(p), i, normal(p)});
+        opening_tree_.add(openings_.back().box);
+      }
     }
-    for (const InPlane& c : cut.covered_by) cover_normals_.push_back(normal(c.polygon));
+    for (const InPlane& c : cut.covered_by) {
+      cover_normals_.push_back(normal(c.polygon));
+      cover_tree_.add(c.box);
+    }
     parent_.resize(openings_.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
@@ -51,8 +59,8 @@ class Apertures {
   }
   void connect() {
     for (std::uint32_t i = 0; i < openings_.size(); ++i) {
-      for (std::uint32_t j = i + 1; j < openings_.size(); ++j) {
-        if (!openings_[i].box.overlaps(openings_[j].box, reach_m_)) continue;
+      for (const std::uint32_t j : opening_tree_.touching(openings_[i].box, reach_m_)) {
+        if (j <= i) continue;
         const LeafInterface& a = faces_[openings_[i].interface];
         const LeafInterface& b = faces_[openings_[j].interface];
         if (joined(a.front_leaf, b.front_leaf) && joined(a.back_leaf, b.back_leaf)) {
@@ -62,16 +70,14 @@ class Apertures {
     }
   }
   bool is_open(const Vec3& p) const {
-    return std::any_of(openings_.begin(), openings_.end(), [&](const Opening& o) {
-      return o.box.contains(p, 0.1 * reach_m_) && contains(*o.polygon, o.n, p);
+    return opening_tree_.any_touching({p, p}, 0.1 * reach_m_, [&](std::uint32_t i) {
+      return contains(*openings_[i].polygon, openings_[i].n, p);
     });
   }
   bool is_covered(const Vec3& p) const {
-    for (std::size_t k = 0; k < cut_.covered_by.size(); ++k) {
-      const InPlane& c = cut_.covered_by[k];
-      if (c.box.contains(p, reach_m_) && contains(c.polygon, cover_normals_[k], p)) return true;
-    }
-    return false;
+    return cover_tree_.any_touching({p, p}, reach_m_, [&](std::uint32_t k) {
+      return contains(cut_.covered_by[k].polygon, cover_normals_[k], p);
+    });
   }
   /// Tests points just beyond the opening's rim: each is open again, covered, or neither. Adds the
   /// rim's length that is not open to `rim`, of that the length that is covered to `framed`.
@@ -100,6 +106,7 @@ class Apertures {
   double reach_m_;
   std::vector<Opening> openings_;
   std::vector<Vec3> cover_normals_;
+  BoxTree opening_tree_, cover_tree_;
   std::vector<std::uint32_t> parent_;
 };
 

@@ -70,6 +70,15 @@ CellComplex complex_from_bytes(std::string_view bytes) {
     node.front = in.get<std::int32_t>();
     node.back = in.get<std::int32_t>();
     node.cell = CellId(in.get<std::uint32_t>());
+    const bool leaf = node.front < 0 && node.back < 0;
+    // Children stand behind their parent, so that the way down ends.
+    const auto is_child = [&](std::int32_t child) {
+      return child > &node - nodes.data() && static_cast<std::size_t>(child) < nodes.size();
+    };
+    if (!leaf && !(is_child(node.front) && is_child(node.back)))
+      throw RunError("cells: a node that there is not");
+    if (node.cell.valid() && node.cell.index() >= cells.size())
+      throw RunError("cells: a leaf of no cell");
   }
   in.expect_end();
   return {std::move(cells), std::move(portals), std::move(nodes), tolerance_m};

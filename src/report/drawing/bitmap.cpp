@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/safe_text.hpp"
 
 namespace enfilade {
 
@@ -25,7 +26,7 @@ void ignore(png_structp, png_const_charp) {}
 
 void describe(png_structp png, png_infop info, const std::string& text) {
   if (text.empty()) return;
-  std::string key = "Description", value = text;
+  std::string key = "Description", value = file_text(text);
   png_text chunk{};
   chunk.compression = PNG_TEXT_COMPRESSION_NONE;
   chunk.key = key.data();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/safe_text.hpp"
+
 namespace enfilade {
 
 namespace {
@@ -104,7 +106,7 @@ std::string legend(const std::vector<std::pair<std::string, std::string>>& entri
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (char c : text) {
+  for (const char c : file_text(text)) {
     switch (c) {
       case '&':
         safe += "&amp;";

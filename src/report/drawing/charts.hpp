@@ -27,7 +27,7 @@ struct Layer {
 std::string stacked_bars(const std::vector<std::string>& labels, const std::vector<Layer>& layers,
                          const std::string& unit);
 
-/// Returns the text with &, <, >, " and ' escaped for HTML and SVG.
+/// Returns the text with &, <, >, " and ' escaped for HTML and SVG, and safe (base/safe_text.hpp).
 std::string escaped(const std::string& text);
 
 }  // namespace enfilade

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <string_view>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "scene/equal_bands.hpp"
 
 namespace enfilade {
@@ -16,8 +18,13 @@ struct Sums {
   std::vector<double> irradiance, radiosity;  ///< times area
 };
 
-/// A field as RFC 4180 has it: in quotes where it holds a comma, a quote or a line break.
-std::string field(const std::string& text) {
+/// A field as RFC 4180 has it: in quotes where it holds a comma, a quote or a line break. Where a
+/// spreadsheet would take it for a formula, an apostrophe stands before it, which tells the
+/// spreadsheet that it is text.
+std::string field(const std::string& name) {
+  std::string text = file_text(name);
+  if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
+    text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

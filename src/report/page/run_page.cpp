@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "base/error.hpp"
 #include "report/page/html_report.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/tone_mapping.hpp"
+#include "run/prepare.hpp"
+#include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 
 namespace enfilade {
@@ -17,12 +19,15 @@ RunPage read_run_page(const std::string& run_directory) {
   page.name = run.lexically_normal().filename().string();
   if (page.name.empty() || page.name == ".")
     page.name = run.lexically_normal().parent_path().filename().string();
-  page.stats = read_stats((run / "stats.json").string());
-  page.history = read_history((run / "history.json").string());
-  page.warnings = read_lines((run / "warnings.json").string());
-  std::ifstream timeline(run / "pictures/ranks.svg");
-  page.timeline.assign(std::istreambuf_iterator<char>(timeline), {});
-  page.attribution = read_attribution((run / "scene.json").string());
+  page.stats = read_stats(run_directory);
+  if (page.stats.entries().empty()) {
+    throw InputError(run_directory, "stats.json", "there is none",
+                     "give a run directory that a solve has written");
+  }
+  page.history = read_history(run_directory);
+  page.warnings = read_warnings(run_directory);
+  page.timeline = read_report(run_directory, "pictures/ranks.svg").value_or("");
+  page.attribution = read_attribution(scene_text(run_directory));
   return page;
 }
 

@@ -36,4 +36,8 @@ std::vector<Camera> automatic_cameras(const SolvedScene& solved,
 /// InputError.
 std::vector<Camera> read_cameras(const std::string& path);
 
+/// Makes `up` a unit vector. Throws InputError where a number of the camera is outside the limits
+/// (base/limits.hpp), with `where` before the number's name.
+void check_camera(Camera& camera, const std::string& file, const std::string& where);
+
 }  // namespace enfilade

@@ -1,7 +1,9 @@
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
+#include "base/limits.hpp"
+#include "json/json_text.hpp"
 #include "report/pictures/camera.hpp"
 
 namespace enfilade {
@@ -50,24 +52,38 @@ Camera camera_of(const Json& json, const std::string& path, std::size_t index) {
       camera.cut_above_m = value.get<double>();
     }
   }
-  if (camera.vertical_angle_deg >= 180.0)
-    refuse(path, where + ".vertical_angle_deg", "180 or more shows nothing");
-  if (glm::length(camera.look_at - camera.eye) == 0.0)
-    refuse(path, where, "eye and look_at are the same point");
+  check_camera(camera, path, where + ".");
   return camera;
 }
 
 }  // namespace
 
+void check_camera(Camera& camera, const std::string& file, const std::string& where) {
+  const auto need = [&](const char* name, const limits::Fault& fault) {
+    if (!fault) return;
+    std::string key = where + name;
+    if (where == "--") std::replace(key.begin(), key.end(), '_', '-');
+    throw InputError(file, key, fault.what, fault.hint);
+  };
+  const auto need_length = [&](const char* name, double length, double least) {
+    if (std::abs(length) <= limits::farthest_m && length >= least) return;
+    need(name, {"is no length from 1e-6 to 1e9 m", "check the number and its unit"});
+  };
+  need("eye", limits::fault_of_place(camera.eye));
+  need("look_at", limits::fault_of_place(camera.look_at));
+  need("up", limits::fault_of_direction(camera.up));
+  camera.up = limits::unit(camera.up);
+  if (!(glm::length(camera.look_at - camera.eye) >= limits::smallest_extent_m))
+    need("look_at", {"is where the eye is", "look at another point"});
+  if (!(camera.vertical_angle_deg >= 1e-3 && camera.vertical_angle_deg < 180.0))
+    need("vertical_angle_deg", {"is no angle of view", "give 0.001 to 179 degrees"});
+  if (camera.parallel_height_m != 0.0)
+    need_length("parallel_height_m", camera.parallel_height_m, limits::smallest_extent_m);
+  if (camera.cut_above_m) need_length("cut_above_m", *camera.cut_above_m, -limits::farthest_m);
+}
+
 std::vector<Camera> read_cameras(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) refuse(path, "file", "it cannot be read");
-  Json json;
-  try {
-    json = Json::parse(in);
-  } catch (const Json::exception& e) {
-    refuse(path, "JSON", e.what());
-  }
+  const Json json = parse_json(read_bytes(path), path);
   if (!json.is_object() || !json.contains("cameras") || !json["cameras"].is_array()) {
     refuse(path, "cameras", "a list is expected");
   }

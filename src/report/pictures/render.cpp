@@ -4,9 +4,10 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <thread>
 
+#include "base/memory_wanted.hpp"
 #include "base/random.hpp"
+#include "base/run_on_threads.hpp"
 #include "base/usable_cores.hpp"
 #include "final_gather/point_gather.hpp"
 #include "geometry/sampling.hpp"
@@ -252,6 +253,7 @@ std::array<double, 3> display_rgb(std::span<const double> bands) {
 
 LightImage render(const SolvedScene& solved, const Camera& camera, const RenderConfig& config,
                   const Progress& progress) {
+  const MemoryPurpose purpose("the picture");
   LightImage image;
   image.width = config.width;
   image.height = config.height;
@@ -266,9 +268,7 @@ LightImage render(const SolvedScene& solved, const Camera& camera, const RenderC
     }
   };
   const int wanted = config.threads > 0 ? config.threads : usable_cores();
-  std::vector<std::jthread> others;
-  for (int t = 1; t < wanted; ++t) others.emplace_back(work, false);
-  work(true);
+  run_on_threads(wanted, work);
   return image;
 }
 

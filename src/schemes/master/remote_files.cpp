@@ -22,7 +22,7 @@ SectionFile RemoteFiles::load_section(const SectionName& name) {
 
 void RemoteFiles::store_sections(std::vector<SectionFile> sections) {
   const PhaseScope phase(machine_, Phase::io);
-  written_.insert(sections.front().info.cluster);
+  written_.insert(sections.front().info.place.cluster);
   send(communicator_, master, ClusterResult{std::move(sections)});
 }
 

@@ -1,9 +1,11 @@
 #include "schemes/protocol/gather_cost.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
 #include "base/byte_stream.hpp"
+#include "base/checksum.hpp"
 #include "base/posix_file.hpp"
 #include "run/history.hpp"
 
@@ -12,7 +14,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST4";
+constexpr std::string_view mark = "ENFCOST5";
+
+/// Where a file of costs belongs.
+struct CostPlace {
+  std::uint64_t run = 0;  ///< Manifest::run
+  int iteration = 0;
+  Rank rank;
+};
+
+/// The mark, run u64, iteration i32, rank i32; then what the rank did in that iteration; then
+/// XXH64 of all that.
+void put_head(ByteWriter& w, const CostPlace& place) {
+  w.put_mark(mark);
+  w.put(place.run);
+  w.put(static_cast<std::int32_t>(place.iteration));
+  w.put(place.rank);
+}
 
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const FoldedNumbers numbers = to_numbers(cost.figures);
@@ -54,25 +72,52 @@ std::vector<std::string> files_of(const fs::path& directory) {
   throw InputError(run_directory, "costs", what, "solve it again, then replay it");
 }
 
+[[noreturn]] void damaged(const std::string& path, const std::string& what) {
+  throw RunError(path + ": is " + what + "; solve it again, then replay it");
+}
+
+/// Returns the bytes without their checksum. Throws RunError where they are damaged.
+std::span<const std::byte> unsealed(std::span<const std::byte> bytes, const std::string& path) {
+  std::uint64_t sum = 0;
+  if (bytes.size() < sizeof sum) damaged(path, "cut off");
+  const auto body = bytes.first(bytes.size() - sizeof sum);
+  std::memcpy(&sum, bytes.data() + body.size(), sizeof sum);
+  if (sum != checksum(body)) damaged(path, "damaged (checksum)");
+  return body;
+}
+
+void expect_head(ByteReader& r, const std::string& path, const CostPlace& place) {
+  r.expect(mark);
+  const auto run = r.get<std::uint64_t>();
+  const auto iteration = r.get<std::int32_t>();
+  const auto rank = r.get<Rank>();
+  if (run != place.run) damaged(path, "of another run");
+  if (iteration != place.iteration) damaged(path, "of another iteration");
+  if (fs::path(path).filename() != "rank-" + std::to_string(rank.value))
+    damaged(path, "of another rank");
+}
+
 /// Reads all ranks' files of an iteration; `take` reads one cluster's part and returns its id.
 template <class Take>
-void read_iteration(const std::string& run_directory, int iteration, std::size_t clusters,
+void read_iteration(const std::string& run_directory, const CostPlace& place, std::size_t clusters,
                     IterationMethod& method, Take take) {
   std::vector<bool> seen(clusters, false);
-  for (const std::string& path : files_of(run_directory + "/costs/" + std::to_string(iteration))) {
+  const std::string iteration = std::to_string(place.iteration);
+  for (const std::string& path : files_of(run_directory + "/costs/" + iteration)) {
     const std::vector<std::byte> bytes = read_file(path);
-    ByteReader r(bytes, path);
-    r.expect(mark);
+    ByteReader r(unsealed(bytes, path), path);
+    expect_head(r, path, place);
     method = r.get<IterationMethod>();
     for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
       const ClusterId cluster = take(r);
       if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");
+      if (seen[cluster.index()]) incomplete(run_directory, "has a gather twice: " + path);
       seen[cluster.index()] = true;
     }
     r.expect_end();
   }
   if (std::find(seen.begin(), seen.end(), false) != seen.end()) {
-    incomplete(run_directory, "lacks gathers of iteration " + std::to_string(iteration));
+    incomplete(run_directory, "lacks gathers of iteration " + iteration);
   }
 }
 
@@ -98,7 +143,7 @@ void CostRecorder::add_start(const ClusterState& state) {
 
 void CostRecorder::write(int iteration) {
   ByteWriter w;
-  w.put_mark(mark);
+  put_head(w, {run_, iteration, rank_});
   w.put(method_);
   if (iteration == 0) {
     w.put(static_cast<std::uint64_t>(start_.size()));
@@ -112,6 +157,7 @@ void CostRecorder::write(int iteration) {
   }
   start_.clear();
   gathers_.clear();
+  w.put(checksum(w.bytes()));
   const std::string directory = directory_ + std::to_string(iteration);
   make_directory(directory);
   write_file(directory + "/rank-" + std::to_string(rank_.value), w.take(), {});
@@ -129,30 +175,36 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
     throw InputError(run_directory, "--replay", "not a run that was solved to its end",
                      "solve it first, or go on with it by --resume");
   }
+  committed_manifest(RunLayout(run_directory));  // of what RUN is prepared for
+  if (!files_of(run_directory + "/costs/" + std::to_string(manifest->iteration + 1)).empty())
+    incomplete(run_directory, "has gathers after the committed iteration");
   Recording recording;
   recording.history = history_of(manifest);
   recording.basis = manifest->basis;
   recording.hierarchy = manifest->hierarchy;
   recording.start.resize(clusters);
-  read_iteration(run_directory, 0, clusters, recording.method, [&](ByteReader& r) {
-    const auto id = r.get<ClusterId>();
-    const auto weight = r.get<ClusterWeight>();
-    if (id.index() < clusters) recording.start[id.index()] = weight;
-    return id;
-  });
+  read_iteration(run_directory, {manifest->run, 0, {}}, clusters, recording.method,
+                 [&](ByteReader& r) {
+                   const auto id = r.get<ClusterId>();
+                   const auto weight = r.get<ClusterWeight>();
+                   if (id.index() < clusters) recording.start[id.index()] = weight;
+                   return id;
+                 });
   for (int k = 1; k <= manifest->iteration; ++k) {
     auto& gathers = recording.gathers.emplace_back(clusters);
-    read_iteration(run_directory, k, clusters, recording.method, [&](ByteReader& r) {
-      GatherCost cost = get_cost(r);
-      const ClusterId id = cost.cluster;
-      if (id.index() >= clusters) return id;
-      for (const ClusterId read : cost.read) {
-        if (read.index() >= clusters) incomplete(run_directory, "is of another scene");
-      }
-      if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
-      gathers[id.index()] = std::move(cost);
-      return id;
-    });
+    read_iteration(run_directory, {manifest->run, k, {}}, clusters, recording.method,
+                   [&](ByteReader& r) {
+                     GatherCost cost = get_cost(r);
+                     const ClusterId id = cost.cluster;
+                     if (id.index() >= clusters) return id;
+                     for (const ClusterId read : cost.read) {
+                       if (read.index() >= clusters)
+                         incomplete(run_directory, "is of another scene");
+                     }
+                     if (!cost.links_changed) cost.links = recording.weight(id, k - 1).links;
+                     gathers[id.index()] = std::move(cost);
+                     return id;
+                   });
   }
   if (!recording.gathers.empty()) {
     recording.bands = recording.gathers.front().front().figures.absorbed_power.size();

@@ -43,8 +43,9 @@ struct Recording {
 /// Records one rank's gathers, in RUN/costs/<iteration>/rank-<n>.
 class CostRecorder {
  public:
-  CostRecorder(std::string run_directory, Rank rank, IterationMethod method)
-      : directory_(run_directory + "/costs/"), rank_(rank), method_(method) {}
+  /// `run`: Manifest::run.
+  CostRecorder(std::string run_directory, std::uint64_t run, Rank rank, IterationMethod method)
+      : directory_(run_directory + "/costs/"), run_(run), rank_(rank), method_(method) {}
 
   /// Records a cluster before the first iteration.
   void add_start(const ClusterState& state);
@@ -55,6 +56,7 @@ class CostRecorder {
 
  private:
   std::string directory_;
+  std::uint64_t run_ = 0;
   Rank rank_;
   IterationMethod method_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
@@ -63,8 +65,8 @@ class CostRecorder {
 
 /// On one rank, before a run begins: removes the recordings of iterations after `committed`.
 void drop_costs(const std::string& run_directory, int committed);
-/// Reads the recording of a run. Throws InputError where RUN holds no finished run with the costs
-/// of all its gathers.
+/// Reads the recording of a run. Throws InputError where RUN holds no finished
+/// run with the costs of all its gathers, RunError where a file is damaged or of another run.
 Recording read_recording(const std::string& run_directory, std::size_t clusters);
 
 }  // namespace enfilade

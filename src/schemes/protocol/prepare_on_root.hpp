@@ -9,9 +9,10 @@
 namespace enfilade {
 
 /// Calls prepare_or_load() of run/prepare.hpp on rank 0; the other ranks then load the result from
-/// RUN. All ranks call it. `warnings` become those of the scene, whenever it was prepared.
+/// RUN. All ranks call it. `warnings` become those of the scene, whenever it was prepared. `lock`
+/// gets RUN locked: to write on rank 0, joined on the others.
 Prepared prepare_on_root(Communicator& communicator, const SceneSource& read,
                          const std::string& run_directory, const PrepareConfig& config,
-                         Warnings& warnings, const Progress& progress = {}, bool resume = false);
+                         Warnings& warnings, const Progress& progress, bool resume, RunLock& lock);
 
 }  // namespace enfilade

@@ -137,6 +137,8 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   manifest.basis = config_.gather.basis;
   manifest.hierarchy = field_.hierarchy();
   manifest.scene_hash = prepared_.scene.hash;
+  manifest.preparation = prepared_.preparation;
+  manifest.run = config_.run;
   manifest.finished = finished;
   manifest.correction.assign(changes.begin(), changes.end());
   manifest.unknowns = unknowns_;

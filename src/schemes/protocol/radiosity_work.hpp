@@ -22,6 +22,7 @@ struct RadiosityWorkConfig {
   Hierarchy hierarchy = Hierarchy::building;
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   MemoryManager memory_manager = MemoryManager::own;
+  std::uint64_t run = 0;  ///< Manifest::run
 };
 
 class RadiosityWork final : public ClusterWork {

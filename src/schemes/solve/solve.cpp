@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/byte_stream.hpp"
+#include "base/checksum.hpp"
 #include "base/error.hpp"
+#include "base/memory_wanted.hpp"
 #include "base/posix_file.hpp"
 #include "run/history.hpp"
 #include "schemes/protocol/radiosity_work.hpp"
@@ -17,13 +20,33 @@ double seconds_of_wall() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Names the run in all its files: what it solves, and how. The same command gives the same name.
+std::uint64_t name_of_run(const SolveConfig& config, const Prepared& prepared) {
+  ByteWriter w;
+  w.put(prepared.preparation);
+  w.put(config.seed);
+  w.put(config.target_error);
+  w.put(config.epsilon);
+  w.put(config.tolerance);
+  w.put(config.patch_links);
+  w.put(config.method.coarse_correction);
+  w.put(config.method.jacobi);
+  w.put(static_cast<int>(config.gather.basis));
+  w.put(static_cast<int>(config.gather.oracle));
+  w.put(static_cast<int>(config.gather.visibility));
+  w.put(static_cast<int>(config.topmost()));
+  w.put(static_cast<int>(config.scheme));
+  return checksum(w.bytes());
+}
+
 std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prepared& prepared,
                                            const RunLayout& layout) {
   if (!config.resume) return std::nullopt;
   const std::optional<Manifest> manifest = read_manifest(layout);
   if (!manifest) return std::nullopt;  // killed before the first commit: begin anew
   if (manifest->clusters != prepared.clusters.size() ||
-      manifest->scene_hash != prepared.scene.hash) {
+      manifest->scene_hash != prepared.scene.hash ||
+      manifest->preparation != prepared.preparation) {
     throw InputError(config.run_directory, "--resume", "the solution there is of another scene",
                      "solve without --resume, or into another directory");
   }
@@ -64,6 +87,7 @@ std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& c
 
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer) {
+  const MemoryPurpose purpose("the clusters, their patches and links");
   const double wall_start_s = seconds_of_wall();
   const RunLayout layout(config.run_directory, config.local_directory);
   const std::uint64_t memory =
@@ -75,15 +99,18 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   const VisibilityCost cost = tour_cost(prepared, basis, memory);
-  ClusterStore store(layout, communicator.rank(), prepared.clusters.size(), machine);
+  const std::uint64_t run = manifest ? manifest->run : name_of_run(config, prepared);
+  // Local directories of ranks of earlier runs, which may have been more than these.
+  communicator.on_root([&] { remove_directory(layout.local); });
+  ClusterStore store(layout, run, communicator.rank(), prepared.clusters.size(), machine);
   const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
-  CostRecorder recorder(layout.run, communicator.rank(), config.method);
+  CostRecorder recorder(layout.run, run, communicator.rank(), config.method);
   GatherSettings gather = config.gather;
   gather.basis = basis;
   const Hierarchy hierarchy = manifest ? manifest->hierarchy : config.topmost();
   RadiosityWork work(prepared, layout, scheme->files(), machine, recorder,
-                     {gather, config.method, hierarchy, memory, config.memory_manager});
+                     {gather, config.method, hierarchy, memory, config.memory_manager, run});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
     if (manifest->iteration > 0) work.restore_far_light(manifest->iteration);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 #include "scene_file/scene_io.hpp"

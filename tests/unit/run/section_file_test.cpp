@@ -17,6 +17,8 @@ std::vector<std::byte> some_bytes(std::size_t n) {
   return bytes;
 }
 
+const SectionPlace links_of_7{ClusterId(7u), Section::links, 3, 99};
+
 std::string fresh_path(const char* name) {
   const std::string path = testing::TempDir() + "/" + name;
   std::filesystem::remove_all(path);
@@ -26,12 +28,14 @@ std::string fresh_path(const char* name) {
 TEST(SectionFile, ComesBackAsWritten) {
   const std::string path = fresh_path("section");
   const auto bytes = some_bytes(1000);
-  write_section(path, {ClusterId(7u), Section::patches, 12, Slot::b, {1, 2, 3, bytes.size()}},
+  write_section(path,
+                {{ClusterId(7u), Section::patches, 12, 99}, {Slot::b, 11}, {1, 2, 3, bytes.size()}},
                 bytes);
-  const SectionFile file = read_section(path, ClusterId(7u), Section::patches);
+  const SectionFile file = read_section(path, {ClusterId(7u), Section::patches, 12, 99});
   EXPECT_EQ(file.bytes, bytes);
-  EXPECT_EQ(file.info.iteration, 12u);
-  EXPECT_EQ(file.info.links_slot, Slot::b);
+  EXPECT_EQ(file.info.place.iteration, 12u);
+  EXPECT_EQ(file.info.links.slot, Slot::b);
+  EXPECT_EQ(file.info.links.iteration, 11u);
   EXPECT_EQ(file.info.count.patches, 2u);
   EXPECT_EQ(file.info.count.bytes, 1000u);
 }
@@ -39,24 +43,24 @@ TEST(SectionFile, ComesBackAsWritten) {
 TEST(SectionFile, AnyDamagedByteIsFound) {
   const std::string path = fresh_path("damaged");
   const auto bytes = some_bytes(200);
-  write_section(path, {ClusterId(7u), Section::links, 1, Slot::a, {0, 0, 5, bytes.size()}}, bytes);
+  write_section(path, {links_of_7, {}, {0, 0, 5, bytes.size()}}, bytes);
   const std::vector<std::byte> good = read_file(path);
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::vector<std::byte> bad = good;
     bad[i] ^= std::byte{0x10};
     write_file(path, bad, {});
-    EXPECT_THROW(read_section(path, ClusterId(7u), Section::links), RunError) << "byte " << i;
+    EXPECT_THROW(read_section(path, links_of_7), RunError) << "byte " << i;
   }
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{40}, std::size_t{70}, good.size() - 1}) {
     write_file(path, std::span(good).first(size), {});
-    EXPECT_THROW(read_section(path, ClusterId(7u), Section::links), RunError) << "cut at " << size;
+    EXPECT_THROW(read_section(path, links_of_7), RunError) << "cut at " << size;
   }
 }
 
 TEST(SectionFile, SaysWhichFileAndWhatToDo) {
   try {
-    read_section("/no/such/dir/cluster-1.patches-a", ClusterId(1u), Section::patches);
+    read_section("/no/such/dir/cluster-1.patches-a", {ClusterId(1u), Section::patches});
     FAIL();
   } catch (const RunError& error) {
     const std::string text = error.what();
@@ -66,11 +70,19 @@ TEST(SectionFile, SaysWhichFileAndWhatToDo) {
   }
 }
 
-TEST(SectionFile, AnothersFileIsRefused) {
+TEST(SectionFile, AFileOfAnotherPlaceIsRefused) {
   const std::string path = fresh_path("others");
-  write_section(path, {ClusterId(7u), Section::links, 1, Slot::a, {}}, some_bytes(3));
-  EXPECT_THROW(read_section(path, ClusterId(8u), Section::links), RunError);
-  EXPECT_THROW(read_section(path, ClusterId(7u), Section::patches), RunError);
+  write_section(path, {links_of_7, {}, {}}, some_bytes(3));
+  EXPECT_NO_THROW(read_section(path, links_of_7));
+  const auto refused = [&](auto change) {
+    SectionPlace place = links_of_7;
+    change(place);
+    EXPECT_THROW(read_section(path, place), RunError);
+  };
+  refused([](SectionPlace& place) { place.cluster = ClusterId(8u); });
+  refused([](SectionPlace& place) { place.section = Section::patches; });
+  refused([](SectionPlace& place) { place.iteration -= 1; });
+  refused([](SectionPlace& place) { place.run += 1; });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.hpp"
 #include "base/random.hpp"
 #include "unit/scene/test_scenes.hpp"
 
@@ -69,12 +70,13 @@ TEST(ProbeFile, AnswersKeepWhatTheFileHeld) {
   const TemporaryFolder folder;
   const std::string source = folder.write("p.json", R"({"author": "me", "units": "mm",
     "probes": [{"p": [1000, 0, 0], "n": [0, 0, 3], "label": "desk"}, {"p": [0, 0, 0], "n": [1, 0, 0]}]})");
-  const std::vector<Probe> probes = read_probes(source);
+  const ProbeFile points = read_probes(source);
+  const std::vector<Probe>& probes = points.probes;
   ASSERT_EQ(probes.size(), 2u);
   EXPECT_EQ(probes[0].p, Vec3(1, 0, 0));
   EXPECT_EQ(probes[0].n, Vec3(0, 0, 1));
   const std::string path = folder.file("a.json");
-  write_probe_answers(source, path, {{{1.5, 2.5}, {0.1, 0.2}}, {{0.0, 1e-9}, {0.0, 0.0}}}, "gather",
+  write_probe_answers(points, path, {{{1.5, 2.5}, {0.1, 0.2}}, {{0.0, 1e-9}, {0.0, 0.0}}}, "gather",
                       ExitanceUnit::lumen_per_m2);
   const auto answer = nlohmann::json::parse(std::ifstream(path));
   EXPECT_EQ(answer["author"], "me");
@@ -89,8 +91,8 @@ TEST(ProbeFile, AnswersKeepWhatTheFileHeld) {
 TEST(ProbeFile, ProbesOfASceneLeaveItsGeometryBehind) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.json");
-  write_probe_answers(test_data("thin_gap.json"), path, {{{1.0, 1.0, 1.0}, {0.1, 0.1, 0.1}}},
-                      "patches", ExitanceUnit::watt_per_m2);
+  write_probe_answers(read_probes(test_data("thin_gap.json")), path,
+                      {{{1.0, 1.0, 1.0}, {0.1, 0.1, 0.1}}}, "patches", ExitanceUnit::watt_per_m2);
   const auto answer = nlohmann::json::parse(std::ifstream(path));
   EXPECT_FALSE(answer.contains("surfaces"));
   EXPECT_EQ(answer["probes"][0]["surface"], "b");

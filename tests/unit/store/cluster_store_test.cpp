@@ -23,7 +23,7 @@ std::vector<std::byte> text(const std::string& s) {
 }
 
 SectionFile section(ClusterId id, Section which, const std::string& content) {
-  SectionFile file{{id, which, 0, Slot::a, {}}, text(content)};
+  SectionFile file{{{id, which}, {}, {}}, text(content)};
   file.info.count.bytes = content.size();
   return file;
 }
@@ -44,7 +44,7 @@ struct ClusterStoreTest : testing::Test {
   RunLayout layout = fresh_run(testing::UnitTest::GetInstance()->current_test_info()->name());
   CountingMachine machine;
   Rooms rooms{2};
-  ClusterStore a{layout, Rank{0}, 2, machine}, b{layout, Rank{1}, 2, machine};
+  ClusterStore a{layout, 5, Rank{0}, 2, machine}, b{layout, 5, Rank{1}, 2, machine};
 
   ClusterStoreTest() {
     for (std::size_t i = 0; i < 2; ++i) a.write_initial(rooms.state(i));
@@ -83,7 +83,7 @@ TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhol
   write(a, zero, "zero 2", "links zero 2");
   write(b, one, "one 2", "links one 2");
   a.move_to_common();  // and then everything dies
-  ClusterStore fresh(layout, Rank{1}, 2, machine);
+  ClusterStore fresh(layout, 5, Rank{1}, 2, machine);
   fresh.set_committed(1);
   EXPECT_EQ(read(fresh, zero, Section::patches), text("zero 1"));
   EXPECT_EQ(read(fresh, zero, Section::links), text("links zero 1"));

@@ -19,7 +19,7 @@ struct ResidentClustersTest : testing::Test {
   RunLayout layout = fresh_run(testing::UnitTest::GetInstance()->current_test_info()->name());
   CountingMachine machine;
   Rooms rooms{6};
-  ClusterStore store{layout, Rank{0}, 6, machine};
+  ClusterStore store{layout, 0, Rank{0}, 6, machine};
 
   ResidentClustersTest() {
     for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
@@ -53,7 +53,7 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
   store.set_committed(1);
   // Another rank has gathered for cluster 1 meanwhile.
   CountingMachine elsewhere;
-  ClusterStore other(layout, Rank{1}, 6, elsewhere);
+  ClusterStore other(layout, 0, Rank{1}, 6, elsewhere);
   ResidentClusters others(other, elsewhere, 0);
   others.pin_receiver(id(1)).patches().radiosity(0)[0] = 43.0;
   others.write_receiver(id(1), false);

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 namespace {

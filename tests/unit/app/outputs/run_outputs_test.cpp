@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 namespace {

@@ -8,6 +8,9 @@
 #include <regex>
 
 #include "base/error.hpp"
+#include "run/manifest.hpp"
+#include "run/run_mark.hpp"
+#include "run/sealed_reports.hpp"
 #include "unit/report/lit_rooms.hpp"
 
 namespace enfilade {
@@ -110,10 +113,17 @@ TEST(HtmlReport, ComparesSeveralRuns) {
 
 TEST(HtmlReport, ReadsARunDirectory) {
   const std::string run = testing::TempDir() + "a_run";
-  std::filesystem::create_directories(run);
+  std::filesystem::create_directories(run + "/common");
   std::ofstream(run + "/stats.json") << R"({"ranks": 3})";
   std::ofstream(run + "/history.json") << R"([{"iteration": 1}])";
-  std::ofstream(run + "/scene.json") << R"({"licence": "CC BY 4.0", "surfaces": []})";
+  RunMark mark;
+  mark.prepared = true;
+  keep_prepared_file(run, "scene.json", R"({"licence": "CC BY 4.0", "surfaces": []})", mark);
+  write_run_mark(run, mark);
+  Manifest manifest;
+  manifest.preparation = mark.preparation();
+  commit_manifest(RunLayout(run), manifest);
+  seal_reports(run);
   for (const std::string& name : {run, run + "/"}) {
     const RunPage p = read_run_page(name);
     EXPECT_EQ(p.name, "a_run");
@@ -121,7 +131,10 @@ TEST(HtmlReport, ReadsARunDirectory) {
     EXPECT_EQ(p.history.size(), 1u);
     EXPECT_EQ(p.attribution.size(), 1u);
   }
+  std::ofstream(run + "/stats.json") << R"({"ranks": 4})";
+  EXPECT_THROW(read_run_page(run), RunError) << "changed since";
   EXPECT_THROW(read_run_page(testing::TempDir() + "no_run"), InputError);
+  std::filesystem::remove_all(run);
 }
 
 TEST(HtmlReport, TakesPicturesOfASolution) {

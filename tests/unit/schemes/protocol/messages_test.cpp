@@ -51,7 +51,7 @@ TEST(Messages, OfAMasterAndItsSlavesComeBackAsTheyWereSent) {
   EXPECT_EQ(std::get<SectionRequest>(decode(tag_of(wanted), encode(wanted))).sections.at(0),
             (SectionName{ClusterId(7), Section::patches, true}));
 
-  const SectionFile file{{ClusterId(7), Section::links, 5, Slot::b, {1, 2, 3, 4}},
+  const SectionFile file{{{ClusterId(7), Section::links, 5, 6}, {Slot::b, 4}, {1, 2, 3, 4}},
                          {std::byte{9}, std::byte{8}}};
   for (const Message& message :
        {Message(SectionReply{{file, file}}), Message(ClusterResult{{file}})}) {
@@ -60,9 +60,9 @@ TEST(Messages, OfAMasterAndItsSlavesComeBackAsTheyWereSent) {
     const auto* reply = std::get_if<SectionReply>(&copy);
     const SectionFile& back =
         reply ? reply->sections.at(1) : std::get<ClusterResult>(copy).sections.at(0);
-    EXPECT_EQ(back.info.cluster, file.info.cluster);
-    EXPECT_EQ(back.info.section, Section::links);
-    EXPECT_EQ(back.info.iteration, 5u);
+    EXPECT_EQ(back.info.place, file.info.place);
+    EXPECT_EQ(back.info.links.slot, Slot::b);
+    EXPECT_EQ(back.info.links.iteration, 4u);
     EXPECT_EQ(back.info.count.links, 3u);
     EXPECT_EQ(back.bytes, file.bytes);
   }

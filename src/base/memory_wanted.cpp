@@ -1,0 +1,53 @@
+#include "base/memory_wanted.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace enfilade {
+namespace {
+
+thread_local const char* purpose_now = "";
+thread_local RefusedMemory refused;
+
+/// Given back at the first refusal: what unwinds then needs memory itself (so do destructors of
+/// nlohmann::json, which must not fail). Nothing is written there, so that it costs addresses
+/// alone.
+class Reserve {
+ public:
+  Reserve() : memory_(std::malloc(bytes)) {}
+  ~Reserve() { give_back(); }
+  Reserve(const Reserve&) = delete;
+  Reserve& operator=(const Reserve&) = delete;
+  void give_back() { std::free(memory_.exchange(nullptr)); }
+
+ private:
+  static constexpr std::size_t bytes = std::size_t{32} << 20;
+  std::atomic<void*> memory_;
+};
+
+Reserve reserve;
+
+}  // namespace
+
+MemoryPurpose::MemoryPurpose(const char* purpose) : before_(purpose_now) { purpose_now = purpose; }
+MemoryPurpose::~MemoryPurpose() { purpose_now = before_; }
+
+RefusedMemory refused_memory() { return refused; }
+
+/// Behind operator new: std::bad_alloc itself does not tell how much was wanted.
+static void* allocate(std::size_t bytes) {
+  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  refused = {bytes, purpose_now};
+  reserve.give_back();
+  throw std::bad_alloc();
+}
+
+}  // namespace enfilade
+
+void* operator new(std::size_t bytes) { return enfilade::allocate(bytes); }
+void* operator new[](std::size_t bytes) { return enfilade::allocate(bytes); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }

@@ -1,0 +1,29 @@
+// What memory was wanted for when it ran out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace enfilade {
+
+/// Names what this thread wants memory for, as long as the object lives: "the scene x.json". The
+/// text must outlive it.
+class MemoryPurpose {
+ public:
+  explicit MemoryPurpose(const char* purpose);
+  ~MemoryPurpose();
+  MemoryPurpose(const MemoryPurpose&) = delete;
+  MemoryPurpose& operator=(const MemoryPurpose&) = delete;
+
+ private:
+  const char* before_;
+};
+
+/// The request that this thread was refused last (std::bad_alloc).
+struct RefusedMemory {
+  std::size_t bytes = 0;  ///< 0: not known
+  const char* purpose = "";
+};
+RefusedMemory refused_memory();
+
+}  // namespace enfilade

@@ -1,0 +1,20 @@
+// RUN/reports.json: what the files say that a solve has written about itself, so that none that was
+// changed since is shown as the solve's own.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace enfilade {
+
+/// Notes the checksums of stats.json, history.json, warnings.json, assignment.json and
+/// pictures/ranks.svg, as far as they are there, with the run and the iteration that they are of.
+/// Throws RunError where one cannot be read, or the note not be written.
+void seal_reports(const std::string& run_directory);
+
+/// Returns the text of such a file (`name` is its path in RUN), none where the solve wrote none.
+/// Throws RunError where it is not as it was sealed, or of another run or iteration than the
+/// committed one.
+std::optional<std::string> read_report(const std::string& run_directory, const std::string& name);
+
+}  // namespace enfilade
