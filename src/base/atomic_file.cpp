@@ -38,12 +38,11 @@ bool is_stream(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
-  if (is_stream(path_)) {
-    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    if (fd_ < 0) fail(errno);
-  } else {
-    open_beside();
-  }
+  if (!is_stream(path_)) return open_beside();
+  // O_NONBLOCK: a pipe that nobody reads would never open; it is replaced as a file would be.
+  fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (fd_ < 0 && errno == ENXIO) return open_beside();
+  if (fd_ < 0 || ::fcntl(fd_, F_SETFL, 0) != 0) fail(errno);
 }
 
 void AtomicFile::open_beside() {
