@@ -35,9 +35,16 @@ MemoryPurpose::~MemoryPurpose() { purpose_now = before_; }
 
 RefusedMemory refused_memory() { return refused; }
 
+/// No machine has more for one request.
+constexpr std::size_t most_bytes = std::size_t{1} << 40;
+
+static void* allocate_or_null(std::size_t bytes) noexcept {
+  return bytes > most_bytes ? nullptr : std::malloc(bytes == 0 ? 1 : bytes);
+}
+
 /// Behind operator new: std::bad_alloc itself does not tell how much was wanted.
 static void* allocate(std::size_t bytes) {
-  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  if (void* memory = allocate_or_null(bytes)) return memory;
   refused = {bytes, purpose_now};
   reserve.give_back();
   throw std::bad_alloc();
@@ -47,7 +54,15 @@ static void* allocate(std::size_t bytes) {
 
 void* operator new(std::size_t bytes) { return enfilade::allocate(bytes); }
 void* operator new[](std::size_t bytes) { return enfilade::allocate(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return enfilade::allocate_or_null(bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return enfilade::allocate_or_null(bytes);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }

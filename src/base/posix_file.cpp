@@ -29,6 +29,8 @@ std::string remedy(int code) {
       return "the run directory is not complete: prepare it again";
     case ELOOP:
       return "no link is followed there: remove it";
+    case ENXIO:
+      return "a pipe is in its place: remove it, then go on with --resume";
     case EFBIG:
       return "raise the limit of a file's size (ulimit -f), then go on with --resume";
     default:
@@ -98,7 +100,9 @@ void write_file(const std::string& path, std::span<const std::byte> head,
                 std::span<const std::byte> body) {
   // Over the old content rather than into a new file: creating one costs a file system a hundred
   // times more.
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, "cannot be written");
+  // O_NONBLOCK: a pipe in the file's place would wait for its reader.
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK,
+                        "cannot be written");
   write_all(file.get(), path, head);
   write_all(file.get(), path, body);
   struct stat info {};

@@ -1,6 +1,7 @@
 #include "base/posix_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
@@ -23,6 +24,15 @@ TEST(PosixFile, AFullDiskIsReportedWithItsRemedy) {
   }
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"))
       << "the device must outlive the test";
+}
+
+TEST(PosixFile, APipeInAFilesPlaceIsNotWaitedFor) {
+  const std::string path = ::testing::TempDir() + "enfilade-pipe";
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_THROW(write_file(path, {}, {}), RunError);
+  EXPECT_THROW(read_file(path), RunError);
+  std::filesystem::remove(path);
 }
 
 TEST(PosixFile, ADirectoryIsMadeWhileAnotherTakesItsParentAway) {
