@@ -28,7 +28,7 @@ std::uint64_t name_of_run(const SolveConfig& config, const Prepared& prepared) {
   w.put(config.target_error);
   w.put(config.epsilon);
   w.put(config.tolerance);
-  w.put(config.patch_links);
+  w.put(config.most_patch_links());
   w.put(config.method.coarse_correction);
   w.put(config.method.jacobi);
   w.put(static_cast<int>(config.gather.basis));
