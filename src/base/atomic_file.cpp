@@ -38,12 +38,14 @@ bool is_stream(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+  // O_NONBLOCK: a pipe that nobody reads would never open; it is replaced as a file would be.
+  constexpr int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
   if (is_stream(path_)) {
-    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    if (fd_ < 0) fail(errno);
-  } else {
-    open_beside();
+    fd_ = ::open(path_.c_str(), flags);
+    if (fd_ < 0 && errno != ENXIO) fail(errno);
+    if (fd_ >= 0 && ::fcntl(fd_, F_SETFL, 0) != 0) fail(errno);
   }
+  if (fd_ < 0) open_beside();
 }
 
 void AtomicFile::open_beside() {

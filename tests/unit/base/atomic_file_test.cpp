@@ -1,7 +1,11 @@
 #include "base/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -67,6 +71,19 @@ TEST_F(AtomicFileTest, ADeviceIsWrittenToAndStays) {
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
   EXPECT_NO_THROW(replace_file("/dev/null", "text"));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(AtomicFileTest, APipeIsWrittenToWhereSomebodyReadsItAndReplacedElsewhere) {
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  replace_file(path, "text");
+  std::array<char, 8> read{};
+  EXPECT_EQ(::read(reader, read.data(), read.size()), 4);
+  ::close(reader);
+  replace_file(path, "text");
+  EXPECT_EQ(content(path), "text");
+  EXPECT_TRUE(fs::is_regular_file(path));
 }
 
 TEST_F(AtomicFileTest, WhatDeadProcessesLeftIsRemovedAndNothingElse) {
