@@ -97,7 +97,8 @@ class Kills:
         launcher = self.start(ranks)
         pid = self.signal_one(launcher, signal.SIGSTOP)
         if pid is not None:
-            held = (self.directory / "lock").exists()
+            # Its last file is there where the run is done, and a rank was stopped on its way out.
+            held = (self.directory / "lock").exists() and not (self.directory / "report.html").exists()
             second = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume")
             alive = launcher.poll() is None
             os.kill(pid, signal.SIGCONT)
