@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 namespace enfilade {
@@ -45,7 +46,9 @@ static void* allocate_or_null(std::size_t bytes) noexcept {
 /// Behind operator new: std::bad_alloc itself does not tell how much was wanted.
 static void* allocate(std::size_t bytes) {
   if (void* memory = allocate_or_null(bytes)) return memory;
-  refused = {bytes, purpose_now};
+  refused = {bytes, {}};
+  if (purpose_now != nullptr)
+    std::strncpy(refused.purpose.data(), purpose_now, refused.purpose.size() - 1);
   reserve.give_back();
   throw std::bad_alloc();
 }

@@ -1,6 +1,7 @@
 // What memory was wanted for when it ran out.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -21,8 +22,8 @@ class MemoryPurpose {
 
 /// The request that this thread was refused last (std::bad_alloc).
 struct RefusedMemory {
-  std::size_t bytes = 0;  ///< 0: not known
-  const char* purpose = "";
+  std::size_t bytes = 0;            ///< 0: not known
+  std::array<char, 256> purpose{};  ///< ends with 0; its own text is gone by the time it is told
 };
 RefusedMemory refused_memory();
 

@@ -2,7 +2,7 @@
 # web-ifc beside it. Where that cannot be, the build goes on: only an import of IFC asks for it.
 file(COPY ${FILES} DESTINATION ${FOLDER})
 if(NPM)
-  execute_process(COMMAND ${NPM} ci --omit=dev --ignore-scripts WORKING_DIRECTORY ${FOLDER}
+  execute_process(COMMAND ${NPM} ci --omit=dev --ignore-scripts --fetch-retries=1 --prefer-offline WORKING_DIRECTORY ${FOLDER} TIMEOUT 180
     RESULT_VARIABLE fault OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(fault)
     message(WARNING "npm could not install web-ifc: IFC models cannot be imported. Build again when it can.\n${said}")

@@ -31,7 +31,8 @@ class Gatherer {
         closure_(receiver, far_light()),
         samples_(receiver, occluders, config.error_samples, result_.figures.work),
         refined_(receiver.links().stride()),
-        flow_(bands_) {
+        flow_(bands_),
+        reflected_(bands_) {
     result_.figures.direct_power.assign(bands_, 0.0);
     result_.figures.returning_power.assign(bands_, 0.0);
     result_.figures.uncertain_power.assign(bands_, 0.0);
@@ -76,7 +77,8 @@ class Gatherer {
   std::size_t next_ = 0;  ///< first link of the shooters to come; links lie in the shooters' order
   LinkSet refined_;       ///< the links of the shooters so far, once one of them has changed
   bool changed_ = false;  ///< one has
-  std::vector<double> flow_;  ///< scratch: reflected power per band that one link brings
+  std::vector<double> flow_;       ///< scratch: reflected power per band that one link brings
+  std::vector<double> reflected_;  ///< scratch: reflected radiosity per band of a far shooter
   std::optional<FarFlow> far_flow_;
   std::size_t next_near_ = 0;  ///< first of the refinement's near links that is to come
 };
@@ -201,9 +203,12 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   result_.figures.visibility_uncertainty_power += link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
+  std::span<const double> reflected;
   if (link.is_far()) {
+    for (std::size_t b = 0; b < bands_; ++b) reflected_[b] = light_.reflected(b);
+    reflected = reflected_;
     for (std::size_t b = 0; b < bands_; ++b) {
-      flow_[b] = factor * light_.reflected(b);
+      flow_[b] = factor * reflected_[b];
       result_.figures.returning_power[b] += flow_[b];
     }
     if (far_flow_) far_flow_->add(link, transport, flow_);
@@ -216,7 +221,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     }
     if (flow != nullptr) flow->add(link, transport, flow_);
   }
-  if (config_.close_rows) closure_.add(link, transport, means, variation);
+  if (config_.close_rows) closure_.add(link, transport, means, reflected, variation);
   light_.receive(link, transport);
 }
 

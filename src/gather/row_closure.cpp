@@ -27,11 +27,13 @@ RowClosure::Columns::Columns(std::size_t terms, std::size_t bands)
     : factor(terms),
       uncertainty(factor + 1),
       doubtful(uncertainty + 1),
-      gain(doubtful + 1),
-      uncertain_light(gain + 1),
+      far_factor(doubtful + 1),
+      far_gain(far_factor + 1),
+      uncertain_light(far_gain + 1),
       doubtful_light(uncertain_light + bands),
       light(doubtful_light + bands),
-      uncertain_arrival(light + bands),
+      far_light(light + bands),
+      uncertain_arrival(far_light + bands),
       width(uncertain_arrival + bands) {}
 
 RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far)
@@ -50,7 +52,8 @@ void RowClosure::add_shooter(const ClusterState& shooter) {
   lit_in_view_ += patches.lit_polygons();
 }
 
-void RowClosure::add(std::size_t node, const Addition& addition, std::span<const double> light) {
+void RowClosure::add(std::size_t node, const Addition& addition, std::span<const double> light,
+                     std::span<const double> reflected) {
   rows_.resize(std::max(rows_.size(), receiver_.patches().size() * at_.width), 0.0);
   double* to = row(node);
   const double doubtful = std::min(addition.uncertainty, addition.factor);
@@ -58,7 +61,12 @@ void RowClosure::add(std::size_t node, const Addition& addition, std::span<const
   to[at_.factor] += addition.factor;
   to[at_.uncertainty] += addition.uncertainty;
   to[at_.doubtful] += doubtful;
-  to[at_.gain] += addition.gain;
+  if (!reflected.empty()) {
+    to[at_.far_factor] += addition.factor;
+    to[at_.far_gain] += addition.far_gain;
+    for (std::size_t b = 0; b < bands_; ++b)
+      to[at_.far_light + b] += addition.far_gain * reflected[b];
+  }
   double top = 0.0;  // by the links' errors, light is negative in places
   for (const double l : light) top = std::max(top, std::abs(l));
   const double varies = top > 0.0 ? addition.uncertainty_of_variation / top : 0.0;
@@ -71,7 +79,8 @@ void RowClosure::add(std::size_t node, const Addition& addition, std::span<const
 }
 
 void RowClosure::add(const Link& link, std::span<const float> transport,
-                     std::span<const double> light, double variation) {
+                     std::span<const double> light, std::span<const double> reflected,
+                     double variation) {
   if (link.is_light()) return;
   const PatchForest& patches = receiver_.patches();
   const float factor = link.is_far() ? transport[FarTerms::of(link).factor] : transport[0];
@@ -82,8 +91,8 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
       const double cosine =
           glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
       if (cosine > 0.0 && !patches.unreachable(k)) {
-        add(k, {factor * cosine, transport[0] * cosine, factor * cosine * group_uncertainty, 0.0},
-            light);
+        add(k, {factor * cosine, factor * cosine * group_uncertainty, 0.0, transport[0] * cosine},
+            light, reflected);
       }
     }
     return;
@@ -92,8 +101,8 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
   // shooters.
   const std::size_t node = patches.find(link.receiver);
   const double per_m2 = factor > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
-  add(node, {factor, transport[0], per_m2 * link.error, per_m2 * link.variation * variation},
-      light);
+  add(node, {factor, per_m2 * link.error, per_m2 * link.variation * variation, transport[0]}, light,
+      reflected);
   if (terms_ == 3 && !link.is_far()) {
     row(node)[1] += transport[3];
     row(node)[2] += transport[6];
@@ -193,7 +202,8 @@ void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
 void RowClosure::take_excess(std::size_t leaf, const Deficit& deficit,
                              std::vector<double>& gathered) const {
   const double* sums = row(leaf);
-  const double excess = -deficit.missing, doubtful = sums[at_.doubtful];
+  const double excess = std::min(-deficit.missing, sums[at_.factor]);
+  const double doubtful = sums[at_.doubtful];
   const double taken = std::min(excess, doubtful);
   const double share = doubtful > 0.0 ? taken / doubtful : 0.0;
   const double certain = sums[at_.factor] - taken;
@@ -211,18 +221,19 @@ void RowClosure::take_excess(std::size_t leaf, const Deficit& deficit,
   }
 }
 
-/// `added` (below zero: taken): to the row by its closure.
+/// Takes from the reflected light of far shooters what exceeds the limit. `added` (below zero:
+/// taken): to the row by its closure.
 void RowClosure::limit_gain(std::size_t leaf, double added, std::vector<double>& gathered) const {
   const PatchForest& patches = receiver_.patches();
   const BandValues& reflectance = patches.frames()[patches.node(leaf).id.root].reflectance;
   const double worst = *std::max_element(reflectance.begin(), reflectance.end());
   const double* sums = row(leaf);
-  const double gain = sums[0] + added + sums[at_.gain] - sums[at_.factor];
+  const double gain = sums[0] + added + sums[at_.far_gain] - sums[at_.far_factor];
   const double limit = std::max(1.0, worst > 0.0 ? most_gain / worst : gain);
-  if (gain <= limit) return;
-  for (std::size_t b = 0; b < bands_; ++b) {
-    gathered[(leaf * bands_ + b) * terms_] -= (1.0 - limit / gain) * sums[at_.light + b];
-  }
+  if (gain <= limit || sums[at_.far_gain] <= 0.0) return;
+  const double share = std::min(1.0, (gain - limit) / sums[at_.far_gain]);
+  for (std::size_t b = 0; b < bands_; ++b)
+    gathered[(leaf * bands_ + b) * terms_] -= share * sums[at_.far_light + b];
 }
 
 RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flux_correction,

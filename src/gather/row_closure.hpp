@@ -29,9 +29,10 @@ class RowClosure {
   /// Records which polygons of a shooter are lit. Shooters come in ascending order of id.
   void add_shooter(const ClusterState& shooter);
   /// Adds a link to its receiver's row. `light`: the shooter's mean radiosity per band, which
-  /// varies by `variation` (RMS, worst band).
+  /// varies by `variation` (RMS, worst band). `reflected`: the reflected part of it, of a far
+  /// shooter alone.
   void add(const Link& link, std::span<const float> transport, std::span<const double> light,
-           double variation);
+           std::span<const double> reflected, double variation);
   /// Adds to `gathered` (irradiance, indexed like the light of the patches) `flux_correction` (per
   /// band, may be empty) times each leaf's uncertain irradiance, then the light for its row's
   /// deficit.
@@ -44,11 +45,13 @@ class RowClosure {
     std::size_t factor;       ///< of the factors, as constants over their receivers
     std::size_t uncertainty;  ///< of the links' uncertainties (estimated errors per m2)
     std::size_t doubtful;     ///< of the factors, each no more than its uncertainty
-    std::size_t gain;         ///< of the transports of reflected light
+    std::size_t far_factor;   ///< of the factors of links from far shooters
+    std::size_t far_gain;     ///< of the same links' transports of reflected light
     // Per band:
     std::size_t uncertain_light;  ///< of uncertainty times light
     std::size_t doubtful_light;   ///< of the doubtful factor times light
     std::size_t light;            ///< of factor times light
+    std::size_t far_light;        ///< of the transports of far_gain times reflected light
     std::size_t
         uncertain_arrival;  ///< of (uncertainty + effect of the shooter's variation) * light
     std::size_t width;
@@ -56,7 +59,8 @@ class RowClosure {
   };
   /// What a link adds to a row.
   struct Addition {
-    double factor, gain, uncertainty, uncertainty_of_variation;
+    double factor, uncertainty, uncertainty_of_variation;
+    double far_gain = 0.0;  ///< transport of reflected light, of a far shooter
   };
   /// The deficit of a leaf's row; below zero where the row sums to more than its target.
   struct Deficit {
@@ -65,7 +69,8 @@ class RowClosure {
     double beyond = 0.0;   ///< the part of `missing` that exceeds the links' uncertainty
     double within() const { return missing - beyond; }
   };
-  void add(std::size_t node, const Addition& addition, std::span<const double> light);
+  void add(std::size_t node, const Addition& addition, std::span<const double> light,
+           std::span<const double> reflected);
   double* row(std::size_t node) { return rows_.data() + node * at_.width; }
   const double* row(std::size_t node) const { return rows_.data() + node * at_.width; }
   double uncertainty(std::size_t node) const { return row(node)[at_.uncertainty]; }

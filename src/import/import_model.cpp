@@ -13,6 +13,7 @@
 #include "import/obj/obj_import.hpp"
 #include "import/radiance/radiance_import.hpp"
 #include "json/json_text.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -47,31 +48,6 @@ Reader reader_for(const std::string& extension) {
   return nullptr;
 }
 
-/// What is written must be read again: coordinates and light within what a scene may have.
-void check_numbers(const Scene& scene) {
-  constexpr double farthest_m = 1e9, most_light = 1e30;
-  const auto fail = [&](const std::string& where, const char* what) {
-    throw InputError(scene.file, where, what,
-                     "correct it, or import with another --units or --scale");
-  };
-  const auto near = [&](const Vec3& p) {
-    return std::abs(p.x) <= farthest_m && std::abs(p.y) <= farthest_m &&
-           std::abs(p.z) <= farthest_m;
-  };
-  const auto moderate = [&](const Spectrum& light) {
-    return std::all_of(light.begin(), light.end(), [&](double x) { return x <= most_light; });
-  };
-  for (const Surface& surface : scene.surfaces) {
-    if (!std::all_of(surface.vertices.begin(), surface.vertices.end(), near))
-      fail(in_quotes(surface.name), "lies farther away than 1e9 m");
-    if (!moderate(surface.exitance)) fail(in_quotes(surface.name), "gives more light than 1e30");
-  }
-  for (const PointLight& light : scene.lights) {
-    if (!near(light.p)) fail("a point light", "lies farther away than 1e9 m");
-    if (!moderate(light.intensity)) fail("a point light", "gives more light than 1e30");
-  }
-}
-
 /// A model may have one material or part in many places: each thing is told once.
 Warnings without_repeats(const Warnings& warnings) {
   Warnings once;
@@ -96,7 +72,7 @@ Scene import_model(const std::vector<std::string>& paths, const ImportOptions& o
   const auto work = [&] {
     Warnings found;
     const Scene scene = reader(paths, options, found);
-    check_numbers(scene);
+    check_limits(scene);
     return bytes_of(scene, without_repeats(found));
   };
   return scene_from(in_own_process(paths[0], {}, work), warnings);

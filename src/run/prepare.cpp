@@ -163,9 +163,10 @@ RunMark mark_of_prepared(const std::string& run_directory) {
   if (!mark || !mark->prepared) {
     const std::string fault = mark ? mark->fault : "";
     throw InputError(run_directory, "run.json",
-                     fault.empty()                                ? "not a prepared run"
-                     : fault.find("version") != std::string::npos ? "of another version of enfilade"
-                                                                  : "damaged",
+                     fault.empty() ? "not a prepared run"
+                     : fault.find("of another version of enfilade") != std::string::npos
+                         ? "of another version of enfilade"
+                         : "damaged",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");
   }
   return *mark;

@@ -54,7 +54,7 @@ RunLock::~RunLock() {
 void RunLock::open(const std::string& run_directory, int flags) {
   const std::string path = path_in(run_directory);
   fd_ = ::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-  if (fd_ < 0 && errno != ENOENT) {
+  if (fd_ < 0 && errno != ENOENT && errno != ENOTDIR) {
     throw RunError(path + ": cannot be opened: " + std::strerror(errno) +
                    "; see to its permissions, and that it is no link");
   }

@@ -432,6 +432,10 @@ class Workflow(InScratch):
         self.assertEqual((got["from"], got["unit"]), ("gather", "lx"))
         self.assertEqual([p["label"] for p in got["probes"]], ["middle", "corner", "on the table", "under the table"])
         self.assertEqual([p["E"] for p in got["probes"]], [p["E"] for p in own["probes"]])
+        self.assertEqual([p["error"] for p in got["probes"]], [p["error"] for p in own["probes"]])
+        for point in got["probes"]:
+            for light, error in zip(point["E"], point["error"]):
+                self.assertTrue(0.0 <= error < 0.2 * light, point)
         middle, corner, on, under = [p["E"][0] for p in got["probes"]]
         self.assertGreater(middle, corner)
         self.assertGreater(on, 3 * under)
@@ -453,6 +457,9 @@ class Workflow(InScratch):
         points.write_text('{"probes": [{"p": [0, 0], "n": [0, 0, 1]}]}')
         self.assert_refused(enfilade("probe", self.run_directory, "--points", points, "-o", self.scratch / "a.json"),
                             "probes[0]")
+        points.write_text('{"probes": []}')
+        self.assert_refused(enfilade("probe", self.run_directory, "--points", points, "-o", self.scratch / "a.json"),
+                            "probes: is empty")
         self.assertEqual(self.leftovers(points), [])
 
     def test_numbers_out_of_range_are_refused(self):

@@ -13,7 +13,7 @@ from solving import Solving
 
 LAMP_Z, THINGS_Z, LAMP = 2.9, 2.0, (1.5, 2.5)  # a lamp of 1 m2 over the middle of a black room, 4 x 4 x 3 m
 EXITANCE = 1000.0
-SAMPLES = 1500  # of the lamp, along each side
+SAMPLES = 1000  # of the lamp, along each side
 
 
 def lying(x0, y0, x1, y1, z):

@@ -58,7 +58,7 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
       ->check(CLI::IsMember({"gather", "patches"}))
       ->capture_default_str();
   sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere that tell what a point sees")
-      ->check(CLI::Range(1, 100000000))
+      ->check(CLI::Range(4, 100000000))
       ->capture_default_str();
   sub.add_option("--noise", o.gather.noise,
                  "More rays, up to 16 times as many, where their noise is above this share of a "

@@ -19,7 +19,8 @@ std::string mebibytes(std::uint64_t bytes) {
 std::string memory_ran_out() {
   const RefusedMemory refused = refused_memory();
   const std::string more = refused.bytes > 0 ? mebibytes(refused.bytes) + " more" : "more";
-  const std::string purpose = *refused.purpose != 0 ? std::string(" for ") + refused.purpose : "";
+  const std::string purpose =
+      refused.purpose[0] != 0 ? std::string(" for ") + refused.purpose.data() : "";
   return "memory: ran out: " + more + " wanted" + purpose + ", beside the " +
          mebibytes(peak_rss_bytes()) +
          " taken so far; give a smaller scene, a larger --target-error, fewer ranks or a --memory "

@@ -117,7 +117,7 @@ class IfcReader {
     }
     if (fault == "no web-ifc") {
       fail("needs web-ifc to be imported, which is not installed",
-           "install npm (apt-get install npm), and build Enfilade again");
+           "install npm (apt-get install npm), then configure and build Enfilade again");
     }
     if (fault == "no STEP file")
       fail("is no STEP file (ISO 10303-21)", "export it as IFC-SPF, the plain text form");

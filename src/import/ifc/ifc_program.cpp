@@ -1,6 +1,7 @@
 #include "import/ifc/ifc_program.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -41,11 +42,11 @@ std::string run_ifc_program(const std::string& file, const std::string& bytes) {
   ProgramResult result = run_program({"node", heap_limit, reader}, bytes, limits);
   if (result.exit_status == not_found)
     fail("needs Node.js to be imported, which is not installed",
-         "install it (apt-get install nodejs npm), and build Enfilade again");
+         "install it (apt-get install nodejs npm), then configure and build Enfilade again");
   const bool memory = result.errors.find("out of memory") != std::string::npos ||
                       result.errors.find("Out of memory") != std::string::npos ||
                       result.errors.find("bad_alloc") != std::string::npos;
-  if (result.timed_out)
+  if (result.timed_out || result.signal == SIGXCPU)
     fail("takes more than " + std::to_string(static_cast<int>(limits.seconds)) + " s to import",
          "import parts of the model, or export it anew");
   if (memory)

@@ -30,7 +30,10 @@ bool TextLines::next() {
       bytes_.remove_prefix(end == std::string_view::npos ? bytes_.size() : end + 1);
       ++lines_taken_;
       while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
-      joins = !part.empty() && part.back() == '\\';
+      const std::string_view whole = line_.empty() ? part : std::string_view(line_);
+      const std::size_t first = whole.find_first_not_of(" \t\r");
+      const bool comment = first != std::string_view::npos && whole[first] == '#';
+      joins = !part.empty() && part.back() == '\\' && !comment;
       if (joins) part.remove_suffix(1);
       line_.append(part).append(joins ? " " : "");
     }

@@ -75,8 +75,8 @@ class LibraryReader {
                  "write it as red, green and blue");
     }
     const double red = lines.real(1);
-    if (lines.words().size() == 2) return {red, red, red};
-    Spectrum bands{red, lines.real(2), lines.real(3)};
+    const bool grey = lines.words().size() == 2;
+    Spectrum bands{red, grey ? red : lines.real(2), grey ? red : lines.real(3)};
     for (const double band : bands) {
       if (band < 0.0) lines.fail("a colour is below zero", "write 0 or more");
     }

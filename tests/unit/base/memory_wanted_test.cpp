@@ -17,7 +17,7 @@ TEST(MemoryWanted, TellsHowMuchWasRefusedAndForWhat) {
     EXPECT_THROW(::operator delete(::operator new(wanted)), std::bad_alloc);
   }
   EXPECT_EQ(refused_memory().bytes, too_much);
-  EXPECT_EQ(std::string(refused_memory().purpose), "a test");
+  EXPECT_EQ(std::string(refused_memory().purpose.data()), "a test");
 }
 
 }  // namespace

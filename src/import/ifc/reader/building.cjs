@@ -121,8 +121,9 @@ function luminairesOf(model, shapes, warn) {
       place = [metres * m[12], metres * m[13], metres * m[14]];
     }
     if (!(flux > 0)) warn(`lamp "${name}"`, 'tells no luminous flux: it stays dark');
-    return {name, type: type ?? '', p: place ?? [0, 0, 0], flux_lm: flux > 0 ? flux : 0};
-  });
+    if (!place) warn(`lamp "${name}"`, 'has neither a shape nor a place: left out');
+    return {name, type: type ?? '', p: place, flux_lm: flux > 0 ? flux : 0};
+  }).filter(lamp => lamp.p);
 }
 
 /** {reflectance, transmittance} for light, by product, where its material tells them. */
