@@ -13,18 +13,24 @@ thread_local RefusedMemory refused;
 
 /// Given back at the first refusal: what unwinds then needs memory itself (so do destructors of
 /// nlohmann::json, which must not fail). Nothing is written there, so that it costs addresses
-/// alone.
+/// alone; where there are few, it is at most half of them.
 class Reserve {
  public:
-  Reserve() : memory_(std::malloc(bytes)) {}
+  Reserve() {
+    for (std::size_t bytes = most; bytes >= least && memory_ == nullptr; bytes /= 2) {
+      void* twice = std::malloc(2 * bytes);
+      std::free(twice);
+      if (twice != nullptr) memory_ = std::malloc(bytes);
+    }
+  }
   ~Reserve() { give_back(); }
   Reserve(const Reserve&) = delete;
   Reserve& operator=(const Reserve&) = delete;
   void give_back() { std::free(memory_.exchange(nullptr)); }
 
  private:
-  static constexpr std::size_t bytes = std::size_t{32} << 20;
-  std::atomic<void*> memory_;
+  static constexpr std::size_t most = std::size_t{32} << 20, least = std::size_t{1} << 20;
+  std::atomic<void*> memory_{nullptr};
 };
 
 Reserve reserve;

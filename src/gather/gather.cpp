@@ -205,9 +205,9 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   const double factor = area_factor(receiver_.patches(), link, transport);
   std::span<const double> reflected;
   if (link.is_far()) {
-    for (std::size_t b = 0; b < bands_; ++b) reflected_[b] = light_.reflected(b);
     reflected = reflected_;
     for (std::size_t b = 0; b < bands_; ++b) {
+      reflected_[b] = light_.reflected(b);
       flow_[b] = factor * reflected_[b];
       result_.figures.returning_power[b] += flow_[b];
     }
@@ -227,8 +227,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
 
 GatherResult Gatherer::finish() {
   ENFILADE_CHECK(next_ == receiver_.links().size(), "links of a cluster that is not visible");
-  // Before its first gather the receiver had none; and a link that was refined may have come back
-  // as it was.
+  // A link that was refined may have come back as it was.
   const LinkSet& links = changed_ ? refined_ : receiver_.links();
   result_.links_changed =
       first_time_ ? links.size() > 0 : changed_ && !(links == receiver_.links());
@@ -256,8 +255,7 @@ std::uint64_t Gatherer::linked_clusters() const {
   return count;
 }
 
-/// Reflected power: all that was gathered but for what came straight from point lights. The light
-/// that the closure adds is taken to come from all shooters in proportion.
+/// The light that the closure adds is taken to come from all reflecting shooters in proportion.
 void Gatherer::close_rows() {
   const auto reflected_power = [this] {
     Spectrum power = light_.power();

@@ -177,7 +177,7 @@ class Files(InRun):
         enough = next(m for m in range(64, 2048, 32) if info(ROOM, m).returncode == 0)
         result = info(path, enough + 8)
         self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertRegex(result.stderr, r"^enfilade: error: memory: ran out: \d+ (MiB|bytes) more wanted( for [^\\n]*large\.json)?, beside the [^\\n]* taken[^\\n]*; [^\\n]*\n$")
+        self.assertRegex(result.stderr, r"^enfilade: error: memory: ran out: \d+ (MiB|bytes) more wanted( for [^\n]*large\.json)?, beside the [^\n]* taken[^\n]*; [^\n]*\n$")
 
 
 class Names(InScratch):

@@ -47,7 +47,8 @@ TEST(ObjImport, WhatWritersOfTextDo) {
   // numbers without a leading digit or with a sign, negative numbers of points, and a comment that
   // ends as a joined line does.
   const auto [scene, warnings] = import_text(
-      "\xEF\xBB\xBF  mtllib m.mtl # the library\r\n# from C:\\dir\\\r\n\tv .0 -.0 +0\r\nv 2. 0 0\r\nv \\\n2 1 0\r\n"
+      "\xEF\xBB\xBF  mtllib m.mtl # the library\r\n# from C:\\dir\\\r\n\tv .0 -.0 +0\r\nv 2. 0 "
+      "0\r\nv \\\n2 1 0\r\n"
       "usemtl old wall # in use\r\nf -3 -2// -1/1/1\r\n",
       "\xEF\xBB\xBFnewmtl old wall\r\nKd .25 .25 .25 # grey\r\n");
   ASSERT_EQ(scene.surfaces.size(), 1u);
