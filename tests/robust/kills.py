@@ -34,7 +34,7 @@ class Kills:
         start = time.monotonic()
         whole = scratch / "whole"
         outcome = solve(options.enfilade, self.scene, whole, *self.target,
-                        env={"LD_PRELOAD": options.library, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts)})
+                        env={"LD_PRELOAD": options.preload, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts)})
         assert outcome.status == 0, outcome.error
         self.seconds = time.monotonic() - start
         self.calls = max(map(int, counts.read_text().split()))
@@ -48,7 +48,7 @@ class Kills:
         return scene
 
     def start(self, ranks, *options, env=None):
-        env = {"LD_PRELOAD": self.options.library, "NTH_UNDER": str(self.directory), **(env or {})}
+        env = {"LD_PRELOAD": self.options.preload, "NTH_UNDER": str(self.directory), **(env or {})}
         exports = [part for name in env for part in ("-x", name)]
         return subprocess.Popen(["mpirun", "--oversubscribe", "-n", str(ranks), *exports, self.options.enfilade, "solve",
                                  str(self.scene), "-o", str(self.directory), "--no-pictures", "--quiet", *self.target, *options],
@@ -127,7 +127,7 @@ class Kills:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("enfilade")
-    parser.add_argument("library")
+    parser.add_argument("preload")
     parser.add_argument("--kills", type=int, default=60, help="trials")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--target-error", default="0.1")

@@ -30,7 +30,7 @@ class Writes:
         self.wanted = self.result(whole)
 
     def solve(self, directory, env=None):
-        shim = {"LD_PRELOAD": self.options.library, "NTH_UNDER": str(directory), "NTH_RANK": "0", **env} if env else None
+        shim = {"LD_PRELOAD": self.options.preload, "NTH_UNDER": str(directory), "NTH_RANK": "0", **env} if env else None
         if shim and self.options.ranks == 1:
             del shim["NTH_RANK"]
         return solve(self.options.enfilade, ROOM, directory, *TARGET, *([] if env else ["--resume"]), ranks=self.options.ranks, env=shim)
@@ -72,7 +72,7 @@ class Writes:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("enfilade")
-    parser.add_argument("library")
+    parser.add_argument("preload")
     parser.add_argument("--every", type=int, default=1, help="try every K-th call alone")
     parser.add_argument("--ranks", type=int, default=1)
     options = parser.parse_args()
