@@ -58,6 +58,7 @@ void add_subcommands(CLI::App& cli, Command& chosen,
   add_probe(cli, chosen);
   add_render(cli, chosen);
   add_export(cli, chosen);
+  add_bounds(cli, chosen);
   add_locate(cli, chosen);
   add_plan(cli, chosen);
   add_report(cli, chosen);
