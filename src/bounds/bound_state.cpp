@@ -20,10 +20,12 @@ std::vector<Polygon> polygons_of(const BoundScene& scene) {
 /// B = M + rho E; where all of a node's light is of one polygon.
 LightRange reflected(const LightRange& e, double reflectance, double exitance) {
   const auto b = [&](double x) { return exitance + reflectance * x; };
-  return {{b(e.mean.lo), b(e.mean.hi)}, {b(e.at_points.lo), b(e.at_points.hi)}};
+  return {{b(e.mean.lo), b(e.mean.hi)},
+          {b(e.at_points.lo), b(e.at_points.hi)},
+          reflectance * e.deviation};
 }
 
-double total_width(std::span<const LightRange> light) {
+double sum_of_widths(std::span<const LightRange> light) {
   double sum = 0.0;
   for (const LightRange& l : light) sum += l.mean.width();
   return sum;
@@ -36,9 +38,24 @@ LightRange further(const LightRange& before, const LightRange& now, double share
     return r.lo <= r.hi ? r : fresh;
   };
   LightRange guess{go(before.mean, now.mean), go(before.at_points, now.at_points)};
+  guess.deviation = std::max(0.0, now.deviation + share * (now.deviation - before.deviation));
   guess.at_points.lo = std::min(guess.at_points.lo, guess.mean.lo);
   guess.at_points.hi = std::max(guess.at_points.hi, guess.mean.hi);
   return guess;
+}
+
+/// Of two parts together: the mean of their means, the hull of what their points have, and the
+/// deviation within and between them.
+LightRange joined(const LightRange& a, const LightRange& b, double share_a) {
+  const double share_b = 1.0 - share_a;
+  const double apart = std::max(a.mean.hi - b.mean.lo, b.mean.hi - a.mean.lo);
+  LightRange both{
+      {share_a * a.mean.lo + share_b * b.mean.lo, share_a * a.mean.hi + share_b * b.mean.hi},
+      {std::min(a.at_points.lo, b.at_points.lo), std::max(a.at_points.hi, b.at_points.hi)}};
+  both.deviation = std::min(most_deviation(both), std::sqrt(share_a * a.deviation * a.deviation +
+                                                            share_b * b.deviation * b.deviation +
+                                                            share_a * share_b * apart * apart));
+  return both;
 }
 
 bool holds(const Range& outer, const Range& inner) {
@@ -103,6 +120,8 @@ void BoundState::set_direct(Receiver& receiver) const {
       sum.mean.hi += i.hi * g.mean.hi;
       sum.at_points.lo += i.lo * g.at_points.lo;
       sum.at_points.hi += i.hi * g.at_points.hi;
+      sum.deviation += most_deviation(
+          {{i.lo * g.mean.lo, i.hi * g.mean.hi}, {i.lo * g.at_points.lo, i.hi * g.at_points.hi}});
     }
   }
 }
@@ -122,7 +141,7 @@ void BoundState::start_with_global_bounds() {
     const double most = source / (1.0 - reflectance);
     for (const Receiver& r : receivers_) {
       const double e = most + r.direct[band].at_points.hi;
-      irradiance_[r.node * scene_.bands + band] = {{0.0, e}, {0.0, e}};
+      irradiance_[r.node * scene_.bands + band] = {{0.0, e}, {0.0, e}, 0.5 * e};
     }
   }
   pull();
@@ -156,8 +175,8 @@ void BoundState::split_receiver(std::size_t receiver) {
   for (std::uint32_t child = first; child < first + 2; ++child) {
     for (std::size_t band = 0; band < scene_.bands; ++band) {
       const LightRange e = irradiance(whole, band), b = radiosity(whole, band);
-      irradiance_.push_back({e.at_points, e.at_points});
-      radiosity_.push_back({b.at_points, b.at_points});
+      irradiance_.push_back({e.at_points, e.at_points, 0.5 * e.at_points.width()});
+      radiosity_.push_back({b.at_points, b.at_points, 0.5 * b.at_points.width()});
     }
   }
   Receiver half;
@@ -166,6 +185,7 @@ void BoundState::split_receiver(std::size_t receiver) {
   set_direct(half);
   receivers_[receiver].node = first;
   receivers_[receiver].links.clear();
+  receivers_[receiver].walls.clear();
   set_direct(receivers_[receiver]);
   receivers_.push_back(std::move(half));
 }
@@ -186,14 +206,21 @@ std::vector<LightRange> BoundState::step_of_all_rows(double step) {
     Receiver& r = receivers_[i];
     const BoundNode& node = tree_[r.node];
     for (std::size_t band = 0; band < bands; ++band) {
-      const BoundRow row{r.links, radiosity_,          bands,
-                         band,    node.shape.radius_m, closed(node.polygon)};
+      const BoundRow row{r.links,
+                         r.walls,
+                         radiosity_,
+                         bands,
+                         band,
+                         node.shape.radius_m,
+                         node.deviation_m,
+                         closed(node.polygon)};
       LightRange e = bound_row(row, step, r.references[band]);
       const LightRange& direct = r.direct[band];
       e.mean.lo += direct.mean.lo;
       e.mean.hi += direct.mean.hi;
       e.at_points.lo += direct.at_points.lo;
       e.at_points.hi += direct.at_points.hi;
+      e.deviation += direct.deviation;
       found[i * bands + band] = e;
     }
   });
@@ -211,12 +238,6 @@ void BoundState::set_leaves(const std::vector<LightRange>& of_receivers) {
 /// From the leaves to the root: means of means, hulls of what points have.
 void BoundState::pull() {
   const std::size_t bands = scene_.bands;
-  const auto joined = [](const LightRange& a, const LightRange& b, double share_a) {
-    return LightRange{
-        {share_a * a.mean.lo + (1.0 - share_a) * b.mean.lo,
-         share_a * a.mean.hi + (1.0 - share_a) * b.mean.hi},
-        {std::min(a.at_points.lo, b.at_points.lo), std::max(a.at_points.hi, b.at_points.hi)}};
-  };
   for (std::size_t k = tree_.size(); k-- > 0;) {
     const BoundNode& node = tree_[k];
     for (std::size_t band = 0; band < bands; ++band) {
@@ -242,7 +263,18 @@ void BoundState::sweep(double step) {
   for (std::size_t i = 0; i < now.size(); ++i) now[i].intersect(found[i]);
   set_leaves(now);
   change_before_ = change_;
-  change_ = total_width(before_) - total_width(now);
+  change_ = sum_of_widths(before_) - sum_of_widths(now);
+}
+
+double BoundState::total_width() const {
+  double sum = 0.0;
+  for (const Receiver& r : receivers_) {
+    for (std::size_t band = 0; band < scene_.bands; ++band) {
+      const LightRange& e = irradiance(r.node, band);
+      sum += tree_[r.node].area_m2 * (e.mean.width() + e.at_points.width());
+    }
+  }
+  return sum;
 }
 
 bool BoundState::leap(double step) {
@@ -255,7 +287,8 @@ bool BoundState::leap(double step) {
   set_leaves(guess);
   const std::vector<LightRange> found = step_of_all_rows(step);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (!holds(guess[i].mean, found[i].mean) || !holds(guess[i].at_points, found[i].at_points)) {
+    if (!holds(guess[i].mean, found[i].mean) || !holds(guess[i].at_points, found[i].at_points) ||
+        found[i].deviation > guess[i].deviation) {
       set_leaves(now);
       return false;
     }

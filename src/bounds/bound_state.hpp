@@ -16,6 +16,7 @@ namespace enfilade {
 struct Receiver {
   std::uint32_t node = 0;
   std::vector<BoundLink> links;
+  std::vector<BoundWall> walls;          ///< polygons of which the row has several parts
   std::vector<LightRange> direct;        ///< per band
   std::vector<RowReference> references;  ///< per band
 };
@@ -51,6 +52,9 @@ class BoundState {
   /// One step of the iteration: new bounds from all rows, intersected with the old. `step` is that
   /// of the rows' reference radiosities (row_bounds.hpp).
   void sweep(double step);
+  /// The sum over receivers and bands of area times the widths of the irradiance's mean and of its
+  /// range at points.
+  double total_width() const;
   /// Tries to take a part of all further steps at once: a box of light that one step maps into
   /// itself holds the solution (Banach; as in interval Newton methods). Returns true where it did.
   bool leap(double step);

@@ -80,6 +80,23 @@ void add_quadrature(const FlatShape& shape, bool fine, std::vector<QuadraturePoi
   }
 }
 
+double largest_deviation_m(const FlatShape& shape) {
+  if (shape.area_m2 <= 0.0) return 0.0;
+  const Vec3 u = glm::normalize(shape.polygon[1] - shape.polygon[0]),
+             v = glm::cross(shape.plane.n, u);
+  std::vector<QuadraturePoint> points;
+  add_quadrature(shape, false, points);
+  double uu = 0.0, uv = 0.0, vv = 0.0;
+  for (const QuadraturePoint& q : points) {
+    const double a = glm::dot(u, q.p - shape.center), b = glm::dot(v, q.p - shape.center);
+    const double weight = q.weight_m2 / shape.area_m2;
+    uu += weight * a * a;
+    uv += weight * a * b;
+    vv += weight * b * b;
+  }
+  return std::sqrt(0.5 * (uu + vv) + std::hypot(0.5 * (uu - vv), uv));
+}
+
 std::pair<FlatShape, FlatShape> halves(const FlatShape& shape) {
   const Polygon& p = shape.polygon;
   const auto as_shapes = [&](Polygon a, Polygon b) {

@@ -31,6 +31,10 @@ struct QuadraturePoint {
 /// they are, else on the triangles of a fan.
 void add_quadrature(const FlatShape& shape, bool fine, std::vector<QuadraturePoint>& out);
 
+/// Returns the standard deviation of the points' places along the line in the plane on which it is
+/// largest, m.
+double largest_deviation_m(const FlatShape& shape);
+
 /// Returns the two halves of a shape, cut across its longest extent: a parallelogram's are
 /// parallelograms, a triangle's are triangles.
 std::pair<FlatShape, FlatShape> halves(const FlatShape& shape);

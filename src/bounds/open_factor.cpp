@@ -15,6 +15,10 @@ constexpr double pi = std::numbers::pi;
 /// Half width of the range of r^2 over its middle: above `too_wide` a pair is cut before anything
 /// is integrated; below `narrow` polynomials of degree 1 are within 0.2% of each other.
 constexpr double too_wide = 0.6, narrow = 0.025;
+/// A remainder of this share of the factor is good enough to look for no other description.
+constexpr double good_remainder = 0.3;
+/// Bounds of a flux that differ by this share are not narrowed.
+constexpr double close_enough = 0.01;
 
 /// Range of the signed distances of a polygon's corners from a plane, at least 0.
 Range heights(const FlatShape& shape, const Plane& plane) {
@@ -135,12 +139,30 @@ PointFactor taylor(const FlatShape& receiver, const FlatShape& shooter, double l
   const double s_lo3 = s_c.lo * s_c.lo * s_c.lo;
   const double interpolation_error = flat > 0.0 ? 2.5 * h * h * h / (s_lo3 * s_lo3) : 3e-6 / s_lo3;
   const double g1_error = 4.0 / pi * a_integral * std::sqrt(s_c.hi) * interpolation_error;
-  // rest: -2 t^2/pi int a s^-3, and 1/pi int a (3 sigma^-4 delta^2), delta = -2 t.d + t^2.
-  const double least_s = least_m * least_m, near = least_m + radius;
-  const double delta = 2.0 * radius * near + radius * radius;
-  const double rest =
-      std::max(2.0 * radius * radius / pi * a_integral / s_lo3,
-               3.0 / pi * a_integral * delta * delta / (least_s * least_s * least_s * least_s));
+  // rest: -2 t^2/pi int a s^-3, and 1/pi int a (3 sigma^-4 delta^2), delta = -2 t.d + t^2, sigma
+  // between s and the squared distance from c + t. Both factors fall with s, and are convex: below
+  // their chords, whose integrals are exact.
+  const auto second_order = [&](double squared) {
+    const double r = std::sqrt(squared), least_sigma = std::max(least_m, r - radius);
+    const double delta = 2.0 * radius * r + radius * radius;
+    return 3.0 * delta * delta / std::pow(least_sigma, 8.0);
+  };
+  // Where r - radius < least_m it is the numerator alone that grows: the bound there is constant.
+  const double knee = (least_m + radius) * (least_m + radius);
+  const double at_lo = second_order(std::max(s_c.lo, knee)),
+               at_hi = second_order(std::max(s_c.hi, knee));
+  const double rise = s_c.lo >= knee && s_c.hi > s_c.lo ? (at_hi - at_lo) / (s_c.hi - s_c.lo) : 0.0;
+  double chord = 0.0, cubes = 0.0;
+  const double cube_lo = 1.0 / s_lo3, cube_hi = 1.0 / (s_c.hi * s_c.hi * s_c.hi);
+  const double cube_rise = s_c.hi > s_c.lo ? (cube_hi - cube_lo) / (s_c.hi - s_c.lo) : 0.0;
+  for (const QuadraturePoint& y : ys) {
+    const Vec3 d = y.p - receiver.center;
+    const double past = glm::dot(d, d) - s_c.lo;
+    const double weight = y.weight_m2 * receiver.plane.signed_distance(y.p) / pi;
+    chord += weight * (at_lo + rise * past);
+    cubes += weight * (cube_lo + cube_rise * past);
+  }
+  const double rest = std::max(2.0 * radius * radius * cubes, chord);
   f.remainder = b.hi * (rest + radius * g1_error) +
                 glm::length(slope_b) * radius * radius * (glm::length(g1) + g1_error);
   return f;
@@ -169,7 +191,7 @@ Range flux_within(const FlatShape& receiver, const FlatShape& shooter, double to
     const Range closer = flux_by_polynomials(receiver, shooter, s);
     flux = {std::max(flux.lo, closer.lo), std::min(flux.hi, closer.hi)};
   }
-  if (depth == 0 || flux.width() <= tolerance_m2) return flux;
+  if (depth == 0 || flux.width() <= std::max(tolerance_m2, close_enough * flux.hi)) return flux;
   const bool cut_receiver = receiver.radius_m > shooter.radius_m;
   const auto [first, second] = halves(cut_receiver ? receiver : shooter);
   Range a, b;
@@ -186,7 +208,7 @@ Range flux_within(const FlatShape& receiver, const FlatShape& shooter, double to
 }  // namespace
 
 double least_distance(const FlatShape& a, const FlatShape& b) {
-  double least = gap_in_frame(a, b, {0, 0, 1}, {1, 0, 0});
+  double least = 0.0;
   const Vec3 between = b.center - a.center;
   if (const double length = glm::length(between); length > 0.0)
     least = std::max(least, gap_along(a, b, between / length));
@@ -226,15 +248,80 @@ Range open_point_range(const FlatShape& receiver, const FlatShape& shooter, int 
   return f;
 }
 
-PointFactor open_point_factor(const FlatShape& receiver, const FlatShape& shooter) {
+/// The narrower of the two descriptions that hold for one shape.
+static PointFactor one_point_factor(const FlatShape& receiver, const FlatShape& shooter,
+                                    int depth) {
   const double least = least_distance(receiver, shooter);
-  const Range f = open_point_range(receiver, shooter, 4);
+  PointFactor affine;
+  if (least > 0.5 * receiver.radius_m) {
+    affine = taylor(receiver, shooter, least);
+    if (affine.remainder <= good_remainder * affine.center) return affine;
+  }
+  const Range f = open_point_range(receiver, shooter, depth);
   const PointFactor plain{0.5 * (f.lo + f.hi), Vec3(0.0), 0.5 * f.width()};
-  if (least <= receiver.radius_m) return plain;
-  const PointFactor affine = taylor(receiver, shooter, least);
-  return affine.range(receiver.radius_m).width() < f.width() || affine.remainder < plain.remainder
-             ? affine
-             : plain;
+  return affine.center > 0.0 && affine.remainder < plain.remainder ? affine : plain;
+}
+
+PointFactor open_point_factor(const FlatShape& receiver, const FlatShape& shooter, int parts) {
+  if (parts <= 0) return one_point_factor(receiver, shooter, 1);
+  PointFactor whole = one_point_factor(receiver, shooter, 3);
+  if (whole.remainder <= 0.04 * whole.center) return whole;
+  // The parts' own affine functions lie closer to the factor; how far they are from the whole's is
+  // seen at their corners.
+  const auto [a, b] = halves(receiver);
+  const PointFactor of_a = open_point_factor(a, shooter, parts - 1);
+  const PointFactor of_b = open_point_factor(b, shooter, parts - 1);
+  PointFactor joined = whole;
+  if (glm::dot(joined.gradient, joined.gradient) == 0.0 && whole.remainder > 0.3 * whole.center) {
+    const Vec3 between = b.center - a.center;
+    joined.gradient = between * ((of_b.center - of_a.center) / glm::dot(between, between));
+  }
+  Range off{1e300, -1e300};
+  for (const auto& [part, f] : {std::pair{&a, &of_a}, std::pair{&b, &of_b}}) {
+    for (const Vec3& p : part->polygon) {
+      const double here = f->center + glm::dot(f->gradient, p - part->center) - joined.center -
+                          glm::dot(joined.gradient, p - receiver.center);
+      off.lo = std::min(off.lo, here - f->remainder);
+      off.hi = std::max(off.hi, here + f->remainder);
+    }
+  }
+  joined.center += 0.5 * (off.lo + off.hi);
+  joined.remainder = 0.5 * off.width();
+  return joined.remainder < whole.remainder ? joined : whole;
+}
+
+double point_deviation(const FlatShape& receiver, const FlatShape& shooter) {
+  const double least = least_distance(receiver, shooter);
+  const Range a = heights(shooter, receiver.plane);
+  if (least <= 0.0 || a.lo <= 0.0) return 1e300;
+  const double stretch = (least + 2.0 * shooter.radius_m) / least;
+  const double ratio = a.hi / a.lo * stretch * stretch * stretch * stretch;
+  return (ratio - 1.0) / std::sqrt(ratio);
+}
+
+double kernel_shift(const FlatShape& receiver, const FlatShape& shooter) {
+  const double least = least_distance(receiver, shooter);
+  if (least <= 0.0) return 1e300;
+  const Range a = heights(shooter, receiver.plane), b = heights(receiver, shooter.plane);
+  const double cosine = glm::dot(receiver.plane.n, shooter.plane.n);
+  const double slope = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));  // of a, and of b
+  const double s = least * least;
+  const double mixed =
+      (slope * slope + 4.0 * slope * (a.hi + b.hi) / least + 28.0 * a.hi * b.hi / s) / (pi * s * s);
+  const double apart = receiver.radius_m + std::numbers::sqrt2 * largest_deviation_m(receiver);
+  return shooter.area_m2 * mixed * apart * std::numbers::sqrt2 * largest_deviation_m(shooter);
+}
+
+double deviation_of_affine(const PointFactor& f, const FlatShape& shape) {
+  thread_local std::vector<QuadraturePoint> points;
+  points.clear();
+  add_quadrature(shape, false, points);
+  double variance = 0.0;
+  for (const QuadraturePoint& q : points) {
+    const double off = glm::dot(f.gradient, q.p - shape.center);
+    variance += q.weight_m2 * off * off;
+  }
+  return std::sqrt(variance / shape.area_m2) + f.remainder;
 }
 
 }  // namespace enfilade

@@ -19,7 +19,7 @@ double width_of(const BoundLink& link, const LightRange& light, double reference
   const PairFactor& f = link.factor;
   const double off =
       std::max(std::abs(light.at_points.hi - reference), std::abs(light.at_points.lo - reference));
-  const double deviation = most_deviation(light), range = light.at_points.width();
+  const double deviation = light.deviation, range = light.at_points.width();
   const double mean =
       f.mean.width() * off + std::min(2.0 * f.mean_spread * deviation, f.mean.hi * range);
   const double reach = f.at_points.remainder + 0.3 * glm::length(f.at_points.gradient) * radius_m;
@@ -80,7 +80,8 @@ Cuts choose(const BoundState& state, std::span<const Candidate> candidates) {
     const Receiver& r = receivers[c.receiver];
     const std::uint32_t shooter = r.links[c.link].shooter;
     const BoundNode &from = state.tree()[shooter], &to = state.tree()[r.node];
-    if (from.is_group() || from.size_m() >= 0.8 * to.size_m()) {
+    if (from.is_group() ||
+        from.size_m() >= (getenv("BR") ? atof(getenv("BR")) : 0.8) * to.size_m()) {
       if (from.is_leaf()) {
         votes[receiver_of[shooter]] += c.width;
       } else {
@@ -106,27 +107,53 @@ void add_links(const BoundState& state, std::uint32_t leaf, std::uint32_t shoote
   if (!factor.none()) out.push_back({shooter, factor});
 }
 
+/// Finds where each wall's parts stand among the links; a wall without parts is dropped.
+void place_walls(const BoundState& state, std::vector<BoundWall> walls, Receiver& receiver) {
+  receiver.walls.clear();
+  const std::vector<BoundLink>& links = receiver.links;
+  for (std::uint32_t begin = 0, end = 0; begin < links.size(); begin = end) {
+    const std::uint32_t polygon = state.tree()[links[begin].shooter].polygon;
+    for (end = begin + 1; end < links.size() && polygon != no_index &&
+                          state.tree()[links[end].shooter].polygon == polygon;) {
+      ++end;
+    }
+    const auto wall = std::find_if(walls.begin(), walls.end(),
+                                   [&](const BoundWall& w) { return w.polygon == polygon; });
+    if (wall == walls.end()) continue;
+    receiver.walls.push_back({polygon, wall->whole, begin, end});
+  }
+}
+
 void cut_links(const BoundState& state, const std::vector<std::uint32_t>& cut, Receiver& receiver) {
   std::vector<char> is_cut(receiver.links.size(), 0);
   for (const std::uint32_t k : cut) is_cut[k] = 1;
   std::vector<BoundLink> links;
+  std::vector<BoundWall> walls = receiver.walls;
   for (std::size_t k = 0; k < receiver.links.size(); ++k) {
     const BoundLink& link = receiver.links[k];
     if (!is_cut[k]) {
       links.push_back(link);
       continue;
     }
-    const std::uint32_t first = state.tree()[link.shooter].first_child;
+    const BoundNode& from = state.tree()[link.shooter];
+    if (!from.is_group() && state.tree().polygon_nodes()[from.polygon] == link.shooter)
+      walls.push_back({from.polygon, link.factor});
+    const std::uint32_t first = from.first_child;
     for (std::uint32_t part = first; part < first + 2; ++part)
       add_links(state, receiver.node, part, link.factor.open, links);
   }
   receiver.links = std::move(links);
+  place_walls(state, std::move(walls), receiver);
 }
 
 }  // namespace
 
 std::size_t refine(BoundState& state, std::span<const double> weights,
-                   const RefinementConfig& config) {
+                   const RefinementConfig& config0) {
+  RefinementConfig config = config0;
+  if (getenv("BG")) config.growth = atof(getenv("BG"));
+  if (getenv("BC")) config.chosen_share = atof(getenv("BC"));
+  if (getenv("BP")) config.point_weight = atof(getenv("BP"));
   std::vector<Candidate> candidates = candidates_of(state, weights, config.point_weight);
   if (candidates.empty()) return 0;
   const std::size_t links = state.links();
@@ -148,6 +175,7 @@ std::size_t refine(BoundState& state, std::span<const double> weights,
   struct Half {
     std::size_t receiver;
     std::vector<BoundLink> of_whole;
+    std::vector<BoundWall> walls;
   };
   std::vector<Half> fresh;
   for (const auto& [width, i] : cuts.receivers) {
@@ -156,14 +184,19 @@ std::size_t refine(BoundState& state, std::span<const double> weights,
     room -= added;
     evaluated += 2 * added;
     std::vector<BoundLink> whole = receivers[i].links;
+    std::vector<BoundWall> walls = receivers[i].walls;
     state.split_receiver(i);
-    fresh.push_back({receivers.size() - 1, whole});
-    fresh.push_back({i, std::move(whole)});
+    fresh.push_back({receivers.size() - 1, whole, walls});
+    fresh.push_back({i, std::move(whole), std::move(walls)});
   }
   for_all(fresh.size(), state.threads(), [&](std::size_t i) {
     Receiver& r = receivers[fresh[i].receiver];
     for (const BoundLink& link : fresh[i].of_whole)
       add_links(state, r.node, link.shooter, link.factor.open, r.links);
+    for (BoundWall& wall : fresh[i].walls)
+      wall.whole =
+          state.factor(r.node, state.tree().polygon_nodes()[wall.polygon], wall.whole.open);
+    place_walls(state, std::move(fresh[i].walls), r);
   });
   return evaluated;
 }

@@ -24,44 +24,87 @@ Term term_of(const Range& factor, const LightRange& light, double spread, double
                           : Term{factor.lo, factor.hi, by_points, 0.0};
 }
 
-double upper_at(const std::vector<Term>& terms, double reference) {
-  double sum = reference;
-  for (const Term& t : terms) {
-    const double d = t.value - reference;
-    sum += (d > 0.0 ? t.most : t.least) * d + t.added;
-  }
-  return sum;
-}
-double lower_at(const std::vector<Term>& terms, double reference) {
-  double sum = reference;
-  for (const Term& t : terms) {
-    const double d = t.value - reference;
-    sum += (d > 0.0 ? t.least : t.most) * d + t.added;
-  }
-  return sum;
+/// The extreme of factor * d over a factor's range.
+double extreme(double least, double most, double d, double sign) {
+  return (sign * d > 0.0 ? most : least) * d;
 }
 
-/// Minimizes `value` over references >= 0 by a few trials about the last one; returns the least
-/// value found. The first time the whole range [0, most] is searched.
+/// Of a wall: the weighted mean of its parts' values, and what the parts give beyond it.
+struct WallSums {
+  double reference = 0.0, beyond = 0.0;
+};
+
+/// The bound of the light over all links, means over the receiver; sign 1: upper, -1: lower.
+class MeanBound {
+ public:
+  MeanBound(const BoundRow& row, double sign) : row_(row), sign_(sign) {
+    for (const BoundLink& link : row.links) {
+      const PairFactor& f = link.factor;
+      const LightRange& light = row.light(link);
+      terms_.push_back(term_of(f.mean, light, f.mean_spread, light.deviation,
+                               sign > 0.0 ? f.mean.hi : f.mean.lo, sign));
+    }
+    for (const BoundWall& wall : row.walls) {
+      double weights = 0.0, values = 0.0;
+      for (std::uint32_t i = wall.begin; i < wall.end; ++i) {
+        weights += terms_[i].most;
+        values += terms_[i].most * terms_[i].value;
+      }
+      WallSums sums;
+      sums.reference = weights > 0.0 ? values / weights : 0.0;
+      sums.beyond = over(wall.begin, wall.end, sums.reference);
+      walls_.push_back(sums);
+    }
+  }
+  double operator()(double reference) const {
+    double sum = reference;
+    std::size_t done = 0;
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const BoundWall& wall = row_.walls[w];
+      const double by_parts = over(wall.begin, wall.end, reference);
+      const double by_whole =
+          extreme(wall.whole.mean.lo, wall.whole.mean.hi, walls_[w].reference - reference, sign_) +
+          walls_[w].beyond;
+      sum += over(done, wall.begin, reference) +
+             (sign_ > 0.0 ? std::min(by_parts, by_whole) : std::max(by_parts, by_whole));
+      done = wall.end;
+    }
+    return sum + over(done, terms_.size(), reference);
+  }
+
+ private:
+  double over(std::size_t begin, std::size_t end, double reference) const {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Term& t = terms_[i];
+      sum += extreme(t.least, t.most, t.value - reference, sign_) + t.added;
+    }
+    return sum;
+  }
+
+  const BoundRow& row_;
+  double sign_;
+  std::vector<Term> terms_;
+  std::vector<WallSums> walls_;
+};
+
+/// Minimizes `value` over references >= 0 by trials about the last one, `most` the first time;
+/// returns the least value found.
 template <class Value>
 double least_value(const Value& value, double most, double step, double& reference) {
-  if (reference < 0.0) {
-    double lo = 0.0, hi = most;
-    for (int i = 0; i < 24; ++i) {  // the value is convex
-      const double a = lo + 0.382 * (hi - lo), b = lo + 0.618 * (hi - lo);
-      (value(a) <= value(b) ? hi : lo) = value(a) <= value(b) ? b : a;
-    }
-    reference = 0.5 * (lo + hi);
-    return std::min(value(reference), value(0.0));
-  }
+  if (reference < 0.0) reference = most;
   double best = value(reference);
-  const double old = reference;
-  for (const double trial : {old * (1.0 + step), old * (1.0 - step)}) {
-    const double v = value(trial);
-    if (v < best) {
-      best = v;
-      reference = trial;
+  const double first = best;
+  for (const double factor : {1.0 - step, 1.0 + step}) {
+    // The value is convex: longer and longer steps downhill, until they lead up again.
+    double at = factor, walked = best;
+    for (int i = 0; i < 40; ++i, at *= at) {
+      const double v = value(reference * at);
+      if (v >= walked) break;
+      best = walked = v;
+      reference *= at;
     }
+    if (best < first) break;
   }
   return best;
 }
@@ -74,32 +117,131 @@ double greatest_value(const Value& value, bool closed, double most, double step,
   return -least_value([&](double r) { return -value(r); }, most, step, reference);
 }
 
+/// A sum of products of affine factors and differences of radiosities: its value at the receiver's
+/// centre, how far it may be off, and its gradient.
+struct AffineSum {
+  double value = 0.0, off = 0.0;
+  Vec3 gradient{0.0};
+  void add(const PointFactor& f, double d) {
+    value += f.center * d;
+    off += f.remainder * std::abs(d);
+    gradient += d * f.gradient;
+  }
+  void add(const AffineSum& other) {
+    value += other.value;
+    off += other.off;
+    gradient += other.gradient;
+  }
+};
+
 /// The bounds of the light at points: affine factors, whose gradients are summed with their signs.
 class PointBound {
  public:
   PointBound(const BoundRow& row, double sign) : row_(row), sign_(sign) {
     for (const BoundLink& link : row.links) {
       const LightRange& light = row.light(link);
-      terms_.push_back(term_of({}, light, link.factor.point_spread, most_deviation(light),
+      terms_.push_back(term_of({}, light, link.factor.point_spread, light.deviation,
                                link.factor.at_points.center, sign));
+    }
+    for (const BoundWall& wall : row.walls) {
+      double weights = 0.0, values = 0.0;
+      for (std::uint32_t i = wall.begin; i < wall.end; ++i) {
+        const double weight = row.links[i].factor.at_points.center;
+        weights += weight;
+        values += weight * terms_[i].value;
+      }
+      references_.push_back(weights > 0.0 ? values / weights : 0.0);
+      beyond_.push_back(over(wall.begin, wall.end, references_.back()));
     }
   }
   double operator()(double reference) const {
-    double sum = reference;
-    Vec3 gradient(0.0);
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const PointFactor& f = row_.links[i].factor.at_points;
-      const double d = terms_[i].value - reference;
-      sum += f.center * d + sign_ * f.remainder * std::abs(d) + terms_[i].added;
-      gradient += d * f.gradient;
+    AffineSum sum;
+    std::size_t done = 0;
+    for (std::size_t w = 0; w < beyond_.size(); ++w) {
+      const BoundWall& wall = row_.walls[w];
+      const AffineSum by_parts = over(wall.begin, wall.end, reference);
+      AffineSum by_whole = beyond_[w];
+      by_whole.add(wall.whole.at_points, references_[w] - reference);
+      sum.add(over(done, wall.begin, reference));
+      sum.add(bound(by_whole) * sign_ < bound(by_parts) * sign_ ? by_whole : by_parts);
+      done = wall.end;
     }
-    return sum + sign_ * glm::length(gradient) * row_.radius_m;
+    sum.add(over(done, terms_.size(), reference));
+    return reference + bound(sum) + sign_ * glm::length(sum.gradient) * row_.radius_m;
   }
 
  private:
+  double bound(const AffineSum& sum) const { return sum.value + sign_ * sum.off; }
+  AffineSum over(std::size_t begin, std::size_t end, double reference) const {
+    AffineSum sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      sum.add(row_.links[i].factor.at_points, terms_[i].value - reference);
+      sum.value += terms_[i].added;
+    }
+    return sum;
+  }
+
   const BoundRow& row_;
   double sign_;
   std::vector<Term> terms_;
+  std::vector<double> references_;
+  std::vector<AffineSum> beyond_;
+};
+
+/// How much the light over a row's links deviates from its mean over the receiver. A link's part is
+/// F (B - r) with a reference r: the deviation of F where B is in the middle of its bounds, and
+/// what B itself may change from point to point.
+class RowDeviation {
+ public:
+  explicit RowDeviation(const BoundRow& row) : row_(row) {}
+
+  /// At most; a constant radiosity adds none where the factors sum to 1 at each point, so that in
+  /// closed rows only what differs from a reference counts.
+  double operator()(double reference) const {
+    const double r = row_.closed ? reference : 0.0;
+    AffineSum sum;
+    std::size_t done = 0;
+    for (const BoundWall& wall : row_.walls) {
+      double weights = 0.0, values = 0.0;
+      for (std::uint32_t i = wall.begin; i < wall.end; ++i) {
+        const Range& b = row_.light(row_.links[i]).mean;
+        const double weight = row_.links[i].factor.at_points.center;
+        weights += weight;
+        values += 0.5 * weight * (b.lo + b.hi);
+      }
+      const double own = weights > 0.0 ? values / weights : 0.0;
+      const AffineSum by_parts = over(wall.begin, wall.end, r);
+      AffineSum by_whole = over(wall.begin, wall.end, own);
+      by_whole.add(wall.whole.at_points, own - r);
+      sum.add(over(done, wall.begin, r));
+      sum.add(by_whole.off < by_parts.off ? by_whole : by_parts);
+      done = wall.end;
+    }
+    sum.add(over(done, row_.links.size(), r));
+    return sum.off + row_.deviation_m * glm::length(sum.gradient);
+  }
+
+ private:
+  AffineSum over(std::size_t begin, std::size_t end, double reference) const {
+    AffineSum sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      const PairFactor& f = row_.links[i].factor;
+      const LightRange& light = row_.light(row_.links[i]);
+      const double most = f.at_points.range(row_.radius_m).hi;
+      const double half = 0.5 * light.at_points.width();
+      const bool by_mean = f.point_spread * light.deviation < most * half;
+      const Range& b = by_mean ? light.mean : light.at_points;
+      sum.gradient += (0.5 * (b.lo + b.hi) - reference) * f.at_points.gradient;
+      sum.off +=
+          f.at_points.remainder * std::max(std::abs(b.hi - reference), std::abs(b.lo - reference)) +
+          (by_mean ? f.shift_spread * light.deviation +
+                         0.5 * b.width() * glm::length(f.at_points.gradient) * row_.deviation_m
+                   : most * half);
+    }
+    return sum;
+  }
+
+  const BoundRow& row_;
 };
 
 }  // namespace
@@ -109,6 +251,7 @@ void LightRange::intersect(const LightRange& other) {
   at_points.hi = std::min(at_points.hi, other.at_points.hi);
   mean.lo = std::max({mean.lo, other.mean.lo, at_points.lo});
   mean.hi = std::min({mean.hi, other.mean.hi, at_points.hi});
+  deviation = std::min({deviation, other.deviation, most_deviation(*this)});
 }
 
 double most_deviation(const LightRange& light) {
@@ -119,29 +262,18 @@ double most_deviation(const LightRange& light) {
 }
 
 LightRange bound_row(const BoundRow& row, double step, RowReference& reference) {
-  thread_local std::vector<Term> upper, lower;
-  upper.clear();
-  lower.clear();
   double most = 0.0;
-  for (const BoundLink& link : row.links) {
-    const LightRange& light = row.light(link);
-    const double deviation = most_deviation(light);
-    const PairFactor& f = link.factor;
-    upper.push_back(term_of(f.mean, light, f.mean_spread, deviation, f.mean.hi, 1.0));
-    lower.push_back(term_of(f.mean, light, f.mean_spread, deviation, f.mean.lo, -1.0));
-    most = std::max(most, light.at_points.hi);
-  }
+  for (const BoundLink& link : row.links) most = std::max(most, row.light(link).at_points.hi);
   LightRange e;
-  const auto mean_upper = [&](double r) { return upper_at(upper, r); };
-  const auto mean_lower = [&](double r) { return lower_at(lower, r); };
-  e.mean.hi = least_value(mean_upper, most, step, reference.mean_upper);
-  e.mean.lo = greatest_value(mean_lower, row.closed, most, step, reference.mean_lower);
-  const PointBound point_upper(row, 1.0), point_lower(row, -1.0);
-  e.at_points.hi = least_value(point_upper, most, step, reference.point_upper);
-  e.at_points.lo = greatest_value(point_lower, row.closed, most, step, reference.point_lower);
+  e.mean.hi = least_value(MeanBound(row, 1.0), most, step, reference.mean_upper);
+  e.mean.lo = greatest_value(MeanBound(row, -1.0), row.closed, most, step, reference.mean_lower);
+  e.at_points.hi = least_value(PointBound(row, 1.0), most, step, reference.point_upper);
+  e.at_points.lo =
+      greatest_value(PointBound(row, -1.0), row.closed, most, step, reference.point_lower);
   e.at_points.lo = std::max(0.0, e.at_points.lo);
   e.mean.lo = std::max(e.mean.lo, e.at_points.lo);
   e.mean.hi = std::min(e.mean.hi, e.at_points.hi);
+  e.deviation = std::min(RowDeviation(row)(reference.point_upper), most_deviation(e));
   return e;
 }
 
