@@ -121,57 +121,6 @@ BoundResult bound_irradiance(const BoundScene& scene, const BoundConfig& config,
   for (;; ++result.rounds) {
     settle(state, result);
     const std::size_t links = state.links();
-    if (getenv("BDBG")) {
-      double mw = 0, pt = 0, E = 0, F = 0, c = 0, prop = 0, sdev = 0, s_rem = 0, s_rng = 0,
-             s_sh = 0, s_g = 0, ptr = 0, ptc = 0;
-      std::size_t open = 0, nr = 0;
-      double fo = 0, co = 0;
-      for (auto& r : state.receivers()) {
-        auto& n = state.tree()[r.node];
-        double A = n.area_m2;
-        auto& e = state.irradiance(r.node, 0);
-        mw += A * e.mean.width();
-        pt += A * e.at_points.width();
-        E += A * 0.5 * (e.mean.lo + e.mean.hi);
-        sdev += A * e.deviation;
-        double ref = std::max(0.0, r.references[0].mean_upper),
-               pref = std::max(0., r.references[0].point_upper);
-        Vec3 g(0.0);
-        for (auto& l : r.links) {
-          auto& b = state.radiosity(l.shooter, 0);
-          auto& f = l.factor;
-          open += f.open;
-          double off = std::max(std::abs(b.at_points.hi - ref), std::abs(b.at_points.lo - ref));
-          F += A * f.mean.width() * off;
-          if (f.open) fo += A * f.mean.width() * off;
-          double cv = 2 * f.mean_spread * b.deviation, rg = f.mean.hi * b.at_points.width();
-          if (rg < cv) nr++;
-          c += A * std::min(cv, rg);
-          if (f.open) co += A * std::min(cv, rg);
-          prop += A * f.mean.hi * b.mean.width();
-          double most = f.at_points.center + f.at_points.remainder, half = .5 * b.at_points.width();
-          bool bm = f.point_spread * b.deviation < most * half;
-          auto& q = bm ? b.mean : b.at_points;
-          g += (0.5 * (q.lo + q.hi) - pref) * f.at_points.gradient;
-          s_rem +=
-              A * f.at_points.remainder * std::max(std::abs(q.hi - pref), std::abs(q.lo - pref));
-          if (bm)
-            s_sh += A * f.shift_spread * b.deviation;
-          else
-            s_rng += A * most * half;
-          ptc += A * 2 * std::min(f.point_spread * b.deviation, most * half);
-        }
-        s_g += A * glm::length(g) * n.deviation_m;
-      }
-      fprintf(stderr,
-              "round %d links %zu leaves %zu t %.1f | mean %.3f point %.3f | F %.3f (open %.3f) "
-              "cov %.3f (open %.3f, nrange %zu) prop %.3f open %.2f| dev %.3f= rem %.3f rng %.3f "
-              "sh %.3f grad %.3f ptc %.3f\n",
-              result.rounds, links, state.receivers().size(), seconds(), mw / E, pt / E, F / E,
-              fo / E, c / E, co / E, nr, prop / E, double(open) / double(links), sdev / E,
-              s_rem / E, s_rng / E, s_sh / E, s_g / E, ptc / E);
-      (void)ptr;
-    }
     report_progress(progress, "bounds",
                     std::min(1.0, std::log(static_cast<double>(links + 1)) / log_links));
     const double width =

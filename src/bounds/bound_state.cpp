@@ -206,14 +206,8 @@ std::vector<LightRange> BoundState::step_of_all_rows(double step) {
     Receiver& r = receivers_[i];
     const BoundNode& node = tree_[r.node];
     for (std::size_t band = 0; band < bands; ++band) {
-      const BoundRow row{r.links,
-                         r.walls,
-                         radiosity_,
-                         bands,
-                         band,
-                         node.shape.radius_m,
-                         node.deviation_m,
-                         closed(node.polygon)};
+      const BoundRow row{
+          r.links, r.walls, radiosity_, bands, band, node.shape.radius_m, closed(node.polygon)};
       LightRange e = bound_row(row, step, r.references[band]);
       const LightRange& direct = r.direct[band];
       e.mean.lo += direct.mean.lo;

@@ -24,7 +24,6 @@ void BoundTree::build(std::span<const Polygon> polygons, std::uint32_t node,
     nodes_[node].polygon = among[0];
     nodes_[node].shape = FlatShape(polygons[among[0]], plane_of(polygons[among[0]]));
     nodes_[node].area_m2 = nodes_[node].shape.area_m2;
-    nodes_[node].deviation_m = largest_deviation_m(nodes_[node].shape);
     polygon_nodes_[among[0]] = node;
     return;
   }
@@ -51,7 +50,6 @@ std::uint32_t BoundTree::split(std::uint32_t leaf) {
     node.polygon = nodes_[leaf].polygon;
     node.box = bounds(half->polygon);
     node.area_m2 = half->area_m2;
-    node.deviation_m = largest_deviation_m(*half);
     node.shape = std::move(*half);
     nodes_.push_back(std::move(node));
   }

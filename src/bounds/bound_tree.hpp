@@ -20,7 +20,6 @@ struct BoundNode {
   std::uint32_t polygon = no_index;      ///< index of the polygon; none for a group
   FlatShape shape;                       ///< of a polygon or patch
   double area_m2 = 0.0;
-  double deviation_m = 0.0;  ///< largest_deviation_m(shape)
   bool is_leaf() const { return first_child == no_index; }
   bool is_group() const { return polygon == no_index; }
   double size_m() const { return is_group() ? box.diagonal() : 2.0 * shape.radius_m; }

@@ -5,6 +5,7 @@
 
 #include "bounds/pair_sight.hpp"
 #include "geometry/clip.hpp"
+#include "geometry/form_factor.hpp"
 
 namespace enfilade {
 namespace {
@@ -107,7 +108,10 @@ PairFactor PairFactors::operator()(const PatchOfPolygon& receiver, const PatchOf
     many = between.size() > config_.most_occluders;
   }
   factor.open = between.empty();
-  const Range open = open_flux(r, s, config_.near_share * std::min(r.area_m2, s.area_m2),
+  // What the pair exchanges roughly, by which its bounds are judged.
+  const double about_m2 =
+      std::max(1e-6, point_to_polygon(r.center, r.plane.n, s.polygon)) * r.area_m2;
+  const Range open = open_flux(r, s, config_.near_share * about_m2,
                                factor.open ? config_.near_depth : config_.near_depth / 2);
   SplitSight sight;
   Range flux = open;
@@ -140,11 +144,10 @@ PairFactor PairFactors::operator()(const PatchOfPolygon& receiver, const PatchOf
   }
   if (s.area_m2 < shooter.shape.area_m2 * (1.0 - 1e-9)) k.lo = 0.0;
   const double area = shooter.shape.area_m2;
-  factor.mean_spread = factor.point_spread = factor.shift_spread = 1e300;
+  factor.mean_spread = factor.point_spread = 1e300;
   if (k.hi < 1e299) {
     factor.mean_spread = area * most_deviation(k, {factor.mean.lo / area, factor.mean.hi / area});
     factor.point_spread = 0.5 * area * (k.hi - k.lo);
-    factor.shift_spread = factor.mean_spread + factor.point_spread;
   }
   if (whole && factor.open && s.area_m2 >= area * (1.0 - 1e-9)) {
     // Averaged over the receiver, the kernel at y is the form factor from y to the receiver over
@@ -154,8 +157,7 @@ PairFactor PairFactors::operator()(const PatchOfPolygon& receiver, const PatchOf
         std::min(factor.mean_spread, area / r.area_m2 * deviation_of_affine(back, s));
     const double most = factor.at_points.range(r.radius_m).hi;
     factor.point_spread = std::min(factor.point_spread, most * point_deviation(r, s));
-    factor.shift_spread = std::min(factor.mean_spread + factor.point_spread, kernel_shift(r, s));
-    factor.point_spread = std::min(factor.point_spread, factor.mean_spread + factor.shift_spread);
+    factor.point_spread = std::min(factor.point_spread, factor.mean_spread + kernel_shift(r, s));
   }
   return factor;
 }

@@ -23,9 +23,7 @@ struct PairFactor {
   /// standard deviation of the radiosity.
   double mean_spread = 0.0;
   double point_spread = 0.0;  ///< the same for any one point of the receiver
-  /// The same for the difference between the kernel at a point and its mean over the receiver.
-  double shift_spread = 0.0;
-  bool open = false;  ///< it is certain that nothing stands between the two
+  bool open = false;          ///< it is certain that nothing stands between the two
   bool none() const { return mean.hi <= 0.0; }
 };
 
@@ -40,7 +38,7 @@ struct PairFactorConfig {
   int sight_depth = 6, near_depth = 16;
   /// Bounds of a factor are narrowed until they differ by this share of the factor without
   /// occluders (times the receiver's area).
-  double sight_share = 0.02, near_share = 0.001;
+  double sight_share = 0.02, near_share = 0.002;
   int point_parts = 2;  ///< a receiver has 2^this parts where its points' factors are bounded
   std::size_t most_occluders = 24;  ///< with more of them the shooter counts as unsure
 };

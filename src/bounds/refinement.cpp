@@ -66,9 +66,9 @@ struct Cuts {
   std::vector<std::pair<double, std::uint32_t>> receivers;  ///< by what they would narrow
 };
 
-/// The larger side of each link is cut: an inner node of the tree for this link alone, a leaf for
-/// all.
-Cuts choose(const BoundState& state, std::span<const Candidate> candidates) {
+/// Cuts the shooter of each link, unless it is smaller than `larger` times the receiver: an inner
+/// node of the tree for this link alone, a leaf for all.
+Cuts choose(const BoundState& state, std::span<const Candidate> candidates, double larger) {
   const auto& receivers = state.receivers();
   std::vector<std::uint32_t> receiver_of(state.tree().size(), no_index);
   for (std::size_t i = 0; i < receivers.size(); ++i)
@@ -80,8 +80,7 @@ Cuts choose(const BoundState& state, std::span<const Candidate> candidates) {
     const Receiver& r = receivers[c.receiver];
     const std::uint32_t shooter = r.links[c.link].shooter;
     const BoundNode &from = state.tree()[shooter], &to = state.tree()[r.node];
-    if (from.is_group() ||
-        from.size_m() >= (getenv("BR") ? atof(getenv("BR")) : 0.8) * to.size_m()) {
+    if (from.is_group() || from.size_m() >= larger * to.size_m()) {
       if (from.is_leaf()) {
         votes[receiver_of[shooter]] += c.width;
       } else {
@@ -149,11 +148,7 @@ void cut_links(const BoundState& state, const std::vector<std::uint32_t>& cut, R
 }  // namespace
 
 std::size_t refine(BoundState& state, std::span<const double> weights,
-                   const RefinementConfig& config0) {
-  RefinementConfig config = config0;
-  if (getenv("BG")) config.growth = atof(getenv("BG"));
-  if (getenv("BC")) config.chosen_share = atof(getenv("BC"));
-  if (getenv("BP")) config.point_weight = atof(getenv("BP"));
+                   const RefinementConfig& config) {
   std::vector<Candidate> candidates = candidates_of(state, weights, config.point_weight);
   if (candidates.empty()) return 0;
   const std::size_t links = state.links();
@@ -163,7 +158,7 @@ std::size_t refine(BoundState& state, std::span<const double> weights,
                static_cast<std::size_t>(config.chosen_share * static_cast<double>(links))));
   std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(chosen - 1),
                    candidates.end(), is_wider);
-  const Cuts cuts = choose(state, std::span(candidates).first(chosen));
+  const Cuts cuts = choose(state, std::span(candidates).first(chosen), config.shooter_share);
   std::vector<Receiver>& receivers = state.receivers();
   for_all(receivers.size(), state.threads(), [&](std::size_t i) {
     if (!cuts.links[i].empty()) cut_links(state, cuts.links[i], receivers[i]);

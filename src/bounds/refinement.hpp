@@ -8,8 +8,11 @@ namespace enfilade {
 struct RefinementConfig {
   /// Of all links, those that are looked at in a round; and the links that a round may add, of
   /// those that there are.
-  double chosen_share = 0.15, growth = 0.35;
+  double chosen_share = 0.3, growth = 0.35;
   std::size_t least_chosen = 400, least_growth = 3000;
+  /// A shooter is cut rather than the receiver if its size is at least this share of the
+  /// receiver's.
+  double shooter_share = 0.5;
   /// Weight of what widens the bounds at points, which others see as a covariance, beside what
   /// widens means.
   double point_weight = 0.25;

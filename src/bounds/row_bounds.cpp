@@ -188,62 +188,6 @@ class PointBound {
   std::vector<AffineSum> beyond_;
 };
 
-/// How much the light over a row's links deviates from its mean over the receiver. A link's part is
-/// F (B - r) with a reference r: the deviation of F where B is in the middle of its bounds, and
-/// what B itself may change from point to point.
-class RowDeviation {
- public:
-  explicit RowDeviation(const BoundRow& row) : row_(row) {}
-
-  /// At most; a constant radiosity adds none where the factors sum to 1 at each point, so that in
-  /// closed rows only what differs from a reference counts.
-  double operator()(double reference) const {
-    const double r = row_.closed ? reference : 0.0;
-    AffineSum sum;
-    std::size_t done = 0;
-    for (const BoundWall& wall : row_.walls) {
-      double weights = 0.0, values = 0.0;
-      for (std::uint32_t i = wall.begin; i < wall.end; ++i) {
-        const Range& b = row_.light(row_.links[i]).mean;
-        const double weight = row_.links[i].factor.at_points.center;
-        weights += weight;
-        values += 0.5 * weight * (b.lo + b.hi);
-      }
-      const double own = weights > 0.0 ? values / weights : 0.0;
-      const AffineSum by_parts = over(wall.begin, wall.end, r);
-      AffineSum by_whole = over(wall.begin, wall.end, own);
-      by_whole.add(wall.whole.at_points, own - r);
-      sum.add(over(done, wall.begin, r));
-      sum.add(by_whole.off < by_parts.off ? by_whole : by_parts);
-      done = wall.end;
-    }
-    sum.add(over(done, row_.links.size(), r));
-    return sum.off + row_.deviation_m * glm::length(sum.gradient);
-  }
-
- private:
-  AffineSum over(std::size_t begin, std::size_t end, double reference) const {
-    AffineSum sum;
-    for (std::size_t i = begin; i < end; ++i) {
-      const PairFactor& f = row_.links[i].factor;
-      const LightRange& light = row_.light(row_.links[i]);
-      const double most = f.at_points.range(row_.radius_m).hi;
-      const double half = 0.5 * light.at_points.width();
-      const bool by_mean = f.point_spread * light.deviation < most * half;
-      const Range& b = by_mean ? light.mean : light.at_points;
-      sum.gradient += (0.5 * (b.lo + b.hi) - reference) * f.at_points.gradient;
-      sum.off +=
-          f.at_points.remainder * std::max(std::abs(b.hi - reference), std::abs(b.lo - reference)) +
-          (by_mean ? f.shift_spread * light.deviation +
-                         0.5 * b.width() * glm::length(f.at_points.gradient) * row_.deviation_m
-                   : most * half);
-    }
-    return sum;
-  }
-
-  const BoundRow& row_;
-};
-
 }  // namespace
 
 void LightRange::intersect(const LightRange& other) {
@@ -273,7 +217,7 @@ LightRange bound_row(const BoundRow& row, double step, RowReference& reference) 
   e.at_points.lo = std::max(0.0, e.at_points.lo);
   e.mean.lo = std::max(e.mean.lo, e.at_points.lo);
   e.mean.hi = std::min(e.mean.hi, e.at_points.hi);
-  e.deviation = std::min(RowDeviation(row)(reference.point_upper), most_deviation(e));
+  e.deviation = most_deviation(e);
   return e;
 }
 

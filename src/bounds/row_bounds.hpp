@@ -42,9 +42,8 @@ struct BoundRow {
   std::span<const BoundWall> walls;       ///< in the order of the links
   std::span<const LightRange> radiosity;  ///< of node k in the row's band: [k * bands + band]
   std::size_t bands = 1, band = 0;
-  double radius_m = 0.0;     ///< of the receiver
-  double deviation_m = 0.0;  ///< of the places of its points along any line in its plane, at most
-  bool closed = false;       ///< the form factors from each point sum to 1; else to at most 1
+  double radius_m = 0.0;  ///< of the receiver
+  bool closed = false;    ///< the form factors from each point sum to 1; else to at most 1
   const LightRange& light(const BoundLink& link) const {
     return radiosity[link.shooter * bands + band];
   }
