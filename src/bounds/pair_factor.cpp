@@ -51,7 +51,7 @@ Range PairFactors::occluded_flux(const Pair& pair, const FlatShape& viewer,
       split_sight(viewer, pair.target.polygon, pair.target.plane, occluders, tolerance_m_);
   Range flux;
   for (const Polygon& part : sight.seen) {
-    const Range f = open_flux(viewer, FlatShape(part, pair.target.plane), 0.1 * tolerance_m2,
+    const Range f = open_flux(viewer, FlatShape(part, pair.target.plane), 0.3 * tolerance_m2,
                               config_.near_depth);
     flux.lo += f.lo;
     flux.hi += f.hi;

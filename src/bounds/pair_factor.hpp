@@ -35,10 +35,10 @@ struct PatchOfPolygon {
 
 struct PairFactorConfig {
   /// Cuts of a viewer behind occluders, and of pairs that are close for their size, at most.
-  int sight_depth = 6, near_depth = 16;
+  int sight_depth = 4, near_depth = 16;
   /// Bounds of a factor are narrowed until they differ by this share of the factor without
   /// occluders (times the receiver's area).
-  double sight_share = 0.02, near_share = 0.002;
+  double sight_share = 0.05, near_share = 0.002;
   int point_parts = 2;  ///< a receiver has 2^this parts where its points' factors are bounded
   std::size_t most_occluders = 24;  ///< with more of them the shooter counts as unsure
 };

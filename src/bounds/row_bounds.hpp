@@ -38,9 +38,9 @@ struct RowReference {
 
 /// A receiver's row.
 struct BoundRow {
-  std::span<const BoundLink> links;
-  std::span<const BoundWall> walls;       ///< in the order of the links
-  std::span<const LightRange> radiosity;  ///< of node k in the row's band: [k * bands + band]
+  std::span<const BoundLink> links{};
+  std::span<const BoundWall> walls{};       ///< in the order of the links
+  std::span<const LightRange> radiosity{};  ///< of node k in the row's band: [k * bands + band]
   std::size_t bands = 1, band = 0;
   double radius_m = 0.0;  ///< of the receiver
   bool closed = false;    ///< the form factors from each point sum to 1; else to at most 1
