@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bounds/bound_irradiance.hpp"
+#include "bounds/iteration/bound_irradiance.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "run/prepare.hpp"
 
