@@ -2,7 +2,7 @@
 """bounds.py ENFILADE [--links N] [--seconds S] [--target-error E] SCENE.json[:REFERENCE.json] ...: do `enfilade bounds` hold the truth?
 
 A table row a scene. Compared are, in every band: `surface_avg` of the scene file (mean irradiance by name, where a name is the only
-one of its kind), and, where all probes of the file have one and the same irradiance (a furnace), each surface that a probe names;
+one of its kind), and, where five or more probes of the file all have one irradiance above 0 (a furnace), each surface that a probe names;
 and REFERENCE's points, area-uniform, whose mean is held against the area-weighted interval of all surfaces that reflect, with three
 standard errors of that mean. A truth counts as held within the reference's own error (`err`). Widths are relative to the interval's
 middle; that of the rooms is the widest of any room and band. Exit status 1 where a truth lies outside."""
@@ -81,7 +81,7 @@ def surface_checks(scene, rows):
     counts = Counter(surface.get("name") for surface in scene["surfaces"])
     known = {entry["name"]: entry for entry in scene.get("surface_avg", [])}
     probes = [probe for probe in scene.get("probes", []) if "E" in probe and "surface" in probe]
-    if not known and probes and all(p["E"] == probes[0]["E"] for p in probes):
+    if not known and len(probes) >= 5 and min(probes[0]["E"]) > 0 and all(p["E"] == probes[0]["E"] for p in probes):
         known = {p["surface"]: p for p in probes}
     checks = []
     for line in rows:

@@ -187,10 +187,10 @@ TEST(BoundIrradiance, HoldsThePathTracedLightOfRandomRooms) {
   Random random(21);
   int checked = 0;
   double widths = 0.0;
-  for (int trial = 0; trial < 24; ++trial) {
+  for (int trial = 0; trial < 8; ++trial) {
     const BoundScene scene = random_room(random);
-    const BoundResult found = bound(scene, 600);
-    widths += relative_width(found.scene[0]) / 24.0;
+    const BoundResult found = bound(scene, 400);
+    widths += relative_width(found.scene[0]) / 8.0;
     for (std::size_t k = 0; k < scene.polygons.size(); k += 3) {
       double sum = 0.0, squares = 0.0;
       constexpr int paths = 1200;
@@ -208,7 +208,7 @@ TEST(BoundIrradiance, HoldsThePathTracedLightOfRandomRooms) {
       ++checked;
     }
   }
-  EXPECT_GT(checked, 100);
+  EXPECT_GT(checked, 30);
   EXPECT_LT(widths, 1.5);
 }
 
