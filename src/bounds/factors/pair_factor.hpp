@@ -36,7 +36,7 @@ struct PatchOfPolygon {
 
 struct PairFactorConfig {
   /// Cuts of a viewer behind occluders, and of pairs that are close for their size, at most.
-  int sight_depth = 4, near_depth = 16;
+  int sight_depth = 2, near_depth = 16;
   /// Bounds of a factor are narrowed until they differ by this share of the factor without
   /// occluders (times the receiver's area).
   double sight_share = 0.05, near_share = 0.002;
