@@ -5,6 +5,7 @@
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "links/receiver_importance.hpp"
 
 namespace enfilade {
 namespace {
@@ -64,13 +65,14 @@ ErrorSamples::ErrorSamples(const ClusterState& receiver, const Occluders& occlud
 void ErrorSamples::place(const ClusterState& receiver) {
   const PatchForest& patches = receiver.patches();
   const auto terms = static_cast<std::size_t>(patches.terms());
+  const ReceiverImportance importance(receiver, *occluders_, config_.importance);
   double next = random_.uniform(), sum = 0.0;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const PatchNode& node = patches.node(i);
     if (!node.leaf() || patches.unreachable(node.id.root) || node.shape.area_m2 <= 0.0) continue;
     const double density =
         config_.per_area + config_.per_power * std::max(0.0, top(patches.irradiance(i), terms));
-    for (sum += node.shape.area_m2 * density; next < sum; next += 1.0) {
+    for (sum += node.shape.area_m2 * density * importance.of(node.id); next < sum; next += 1.0) {
       const PolygonFrame& frame = patches.frames()[node.id.root];
       const double r1 = random_.uniform(), r2 = random_.uniform();
       Point point{node.id.root,

@@ -199,8 +199,9 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   const std::span<const double> means = light_.means();
   double top = 0.0;
   for (const double mean : means) top = std::max(top, std::abs(mean));
-  result_.figures.link_error_power += link.error * top + link.variation * variation;
-  result_.figures.visibility_uncertainty_power += link.visibility_error() * top;
+  const double importance = refinement_.importance(link.receiver);
+  result_.figures.link_error_power += importance * (link.error * top + link.variation * variation);
+  result_.figures.visibility_uncertainty_power += importance * link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
   std::span<const double> reflected;
@@ -262,10 +263,9 @@ void Gatherer::close_rows() {
     for (std::size_t b = 0; b < bands_; ++b) power[b] -= result_.figures.direct_power[b];
     return power;
   };
-  std::vector<double>& irradiance = light_.irradiance();
   const Spectrum before = reflected_power();
-  RowClosureSums sums =
-      closure_.close(occluders_, config_.flux_correction, result_.figures.work, irradiance);
+  RowClosureSums sums = closure_.close(occluders_, config_.flux_correction, result_.figures.work,
+                                       light_.irradiance());
   result_.figures.uncertain_power = std::move(sums.uncertain_power);
   result_.figures.row_deficit_m2 = sums.deficit_m2;
   result_.figures.row_closed_m2 = sums.closed_m2;

@@ -19,6 +19,9 @@ constexpr double rim_share = 0.05;
 // that differ in distance and visibility. Used only where the power is small (LinkRefinement).
 constexpr double group_error = 0.3, hidden_group_error = 0.1, group_variation_share = 0.3;
 
+/// Added to the seed of rays that are independent of the first ones: any large odd number.
+constexpr std::uint64_t other_draw = 0x9E3779B97F4A7C15ull;
+
 /// All corners on or behind the plane: no light passes between the plane's front and that side.
 bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double tolerance_m) {
   return std::all_of(corners.begin(), corners.end(),
@@ -101,9 +104,20 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
                                      double tolerance, const Between& among) {
   if (shooter.is_far()) return evaluate_far(receiver, shooter, tolerance);
-  visibility_.begin(among);
+  visibility_.begin(among, draw_);
   return receiver.is_group() ? evaluate_group(receiver, shooter)
                              : evaluate_patch(receiver, shooter, tolerance);
+}
+
+std::array<float, 9> LinkEstimator::kept_transport(const LinkSide& receiver,
+                                                   const LinkSide& shooter, double tolerance,
+                                                   const Between& among,
+                                                   const LinkEstimate& decided) {
+  if (!decided.sampled) return decided.transport;
+  draw_ = other_draw;
+  const LinkEstimate anew = evaluate(receiver, shooter, tolerance, among);
+  draw_ = 0;
+  return anew.transport;
 }
 
 /// The share of a shooter that a receiving group sees, by four rays from points on its polygons,
@@ -111,7 +125,7 @@ LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& s
 double LinkEstimator::seen_by_group(const LinkSide& receiver, const LinkSide& shooter,
                                     std::span<const double> facing, double facing_m2) {
   const GroupNode& group = receiver.group();
-  Random random(LinkSide::seed_of(receiver, shooter));
+  Random random(LinkSide::seed_of(receiver, shooter) + draw_);
   int open = 0;
   for (int ray = 0; ray < 4; ++ray) {
     double pick = facing_m2 * (ray + random.uniform()) / 4.0;
@@ -149,6 +163,7 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     out.receiver_error = rim_share * factor_bound(receiver, shooter);
     return out;
   }
+  out.sampled = true;
   const double seen = seen_by_group(receiver, shooter, facing, facing_m2);
   out.transport = {static_cast<float>(factor * seen), static_cast<float>(toward.x),
                    static_cast<float>(toward.y), static_cast<float>(toward.z)};

@@ -20,6 +20,7 @@ struct LinkEstimate {
   double shooter_error = 0.0;   ///< from the uncertainty of the visible share
   double variation = 0.0;       ///< error per unit of the shooter's variation
   bool invisible = false;       ///< certain: no light can arrive
+  bool sampled = false;         ///< by random rays
 };
 
 /// Form factors from points of a receiving patch to the whole shooter, as if nothing stood between;
@@ -43,6 +44,13 @@ class LinkEstimator {
   /// contain these two.
   LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
                         const Between& among);
+  /// Returns the transport of the link that was evaluated last, for a link that is kept. Where rays
+  /// were drawn it is evaluated once more with others: a link whose rays happened to show little is
+  /// kept sooner than one whose rays show much, which is refined and drawn anew; so the rays that
+  /// decided would carry too little light.
+  std::array<float, 9> kept_transport(const LinkSide& receiver, const LinkSide& shooter,
+                                      double tolerance, const Between& among,
+                                      const LinkEstimate& decided);
   /// Returns the polygons between the sides of the link that was evaluated last.
   Between between() const { return visibility_.between(); }
   /// Returns an upper bound of the received power, by distance and size alone.
@@ -65,6 +73,7 @@ class LinkEstimator {
 
   const Occluders* occluders_;
   LinkVisibility visibility_;
+  std::uint64_t draw_ = 0;  ///< added to the seeds of rays
   WorkCount* work_;
   std::vector<double> group_factors_;  ///< per polygon of a shooting group, else empty
   Polygon polygon_;                    ///< scratch

@@ -26,6 +26,7 @@ LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLigh
       config_(config),
       work_(work),
       estimator_(occluders, config.visibility, work),
+      importance_(receiver, occluders, config.importance),
       oracle_(refinement_oracle(config.oracle)) {}
 
 LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter,
@@ -60,7 +61,7 @@ bool LinkRefinement::accurate_enough(const Link& link, std::span<const float> tr
   const NodeLight sent = light_of(link, shooter);
   if (!link.evaluated) return sent.light <= 0.0 && sent.variation <= 0.0;
   return oracle_->estimated_error(link, transport, receiver_.patches(), sent) <=
-         config_.link_tolerance;
+         tolerance(link.receiver);
 }
 
 void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSet& kept) {
@@ -76,7 +77,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
                               const PatchForest* shooting, LinkSet& kept) {
   const LinkSide receiver = LinkSide::of(receiver_.patches(), receiver_.id(), link.receiver);
   const LinkSide shooter = shooter_side(link, shooting, receiver);
-  const double tolerance = config_.link_tolerance;
+  const double tolerance = this->tolerance(link.receiver);
   if (shooter.is_far() && !far_->may_see(shooter.id.group())) return;
   const bool dark = shooter.is_far() ? far_->light().is_dark(shooter.id.group())
                                      : shooter.light <= 0.0 && shooter.variation <= 0.0;
@@ -116,7 +117,8 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
   if (oracle_->estimated_error(link, transport, receiver_.patches(), shooter) <= tolerance) {
-    kept.add(link, transport);
+    const auto anew = estimator_.kept_transport(receiver, shooter, tolerance, among, estimate);
+    kept.add(link, {anew.data(), kept.stride()});
     return;
   }
   bool split_receiver = oracle_->splits_receiver(receiver, shooter, estimate);
@@ -135,8 +137,9 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
 bool LinkRefinement::must_open(const LinkSide& receiver, const LinkSide& shooter,
                                double bound) const {
   const double gap = gap_m(receiver.bounds, shooter.bounds);
-  if (gap <= 0.0) return bound > surrounding_share * config_.link_tolerance;
-  return bound > config_.link_tolerance && gap < far_gap * shooter.radius;
+  const double allowed = tolerance(receiver.id);
+  if (gap <= 0.0) return bound > surrounding_share * allowed;
+  return bound > allowed && gap < far_gap * shooter.radius;
 }
 
 /// Replaces the link to a far node by links to its two halves, or to the cluster that it is.

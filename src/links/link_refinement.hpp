@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "links/link_estimate.hpp"
+#include "links/receiver_importance.hpp"
 #include "links/refinement_oracle.hpp"
 
 namespace enfilade {
@@ -14,6 +16,9 @@ struct RefinementConfig {
   /// A link is refined where the oracle's error is above this. Power: area times irradiance, the
   /// scene's unit times m2, in the worst band.
   double link_tolerance = 0.0;
+  /// Importance of each polygon, by its global number: the tolerance of a link is link_tolerance
+  /// over that of its receiver. Empty = 1 everywhere.
+  std::span<const float> importance{};
   /// Estimate all links from far nodes anew: they were estimated with the distribution of light
   /// over each node as it was then.
   bool renew_far = false;
@@ -41,11 +46,16 @@ class LinkRefinement {
   /// Returns the links to whole clusters that replace links to far nodes, so far; they are not
   /// evaluated yet.
   std::vector<Link>& near_links() { return near_links_; }
+  /// Returns the importance of a node of the receiver.
+  double importance(PatchId receiver) const { return importance_.of(receiver); }
 
  private:
   LinkSide shooter_side(const Link& link, const PatchForest* shooter,
                         const LinkSide& receiver) const;
   NodeLight light_of(const Link& link, const PatchForest* shooter) const;
+  double tolerance(PatchId receiver) const {
+    return config_.link_tolerance / importance_.of(receiver);
+  }
   bool must_open(const LinkSide& receiver, const LinkSide& shooter, double bound) const;
   void open(const LinkSide& receiver, const LinkSide& shooter);
   void evaluate(Link link, const LinkEstimator::Between& among, const PatchForest* shooter,
@@ -61,6 +71,7 @@ class LinkRefinement {
   const RefinementConfig& config_;
   WorkCount& work_;
   LinkEstimator estimator_;
+  ReceiverImportance importance_;
   std::unique_ptr<RefinementOracle> oracle_;
   struct Pending {
     Link link;

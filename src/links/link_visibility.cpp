@@ -50,6 +50,7 @@ struct LinkVisibility::QuarterRays {
   }
   PairVisibility one() {
     PairVisibility v;
+    v.sampled = true;
     const int quarter = static_cast<int>(random.below(4));
     v.fill(open(quarter, quarter, nullptr) ? 1.0 : 0.0);
     v.uncertainty = one_ray_uncertainty;
@@ -141,13 +142,14 @@ PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide&
                    shooter,
                    group_factors,
                    occluders_->global(receiver.cluster, receiver.id.root),
-                   Random(LinkSide::seed_of(receiver, shooter))};
+                   Random(LinkSide::seed_of(receiver, shooter) + draw_)};
   if (power <= one_ray_share * tolerance) return rays.one();
   PairVisibility v;
   std::uint32_t blocker = RayScene::no_polygon;
   const int open_of_four = rays.four(v, blocker);
   const bool agree = open_of_four == 0 || open_of_four == 4;
   if (four_rays_uncertainty * power <= tolerance) {
+    v.sampled = true;
     v.fill(open_of_four / 4.0);
     v.uncertainty = agree ? agreeing_uncertainty : four_rays_uncertainty;
     return v;
@@ -157,6 +159,7 @@ PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide&
     if (proven(receiver, shooter, open_of_four == 4, blocker)) return v;
   }
   const int open = rays.sixteen(v, open_of_four);
+  v.sampled = true;
   v.center = open / 16.0;
   v.uncertainty = uncertainty_of_16(open);
   return v;

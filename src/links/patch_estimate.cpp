@@ -181,6 +181,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   }
   const double power = receiver.area_m2 * largest * shooter.light;
   const PairVisibility v = visibility_.of(receiver, shooter, group_factors_, power, tolerance);
+  out.sampled = v.sampled;
   ReceiverSamples samples;
   samples.missed = match_total(receiver, shooter, factor, *work_);
   std::array<double, 4> e = factor.at;  // visible irradiance per radiosity

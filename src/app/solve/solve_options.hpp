@@ -16,6 +16,7 @@ struct SolveOptions {
   std::string input, output;
   std::string replay;  ///< RUN whose recorded gathers take the place of the kernels
   double target_error = SolveConfig{}.target_error;
+  std::string target_error_at;  ///< probe file; empty = everywhere
   double epsilon = 0.0, tolerance = 0.0;
   std::optional<std::uint64_t> patch_links;
   std::string basis = "linear", scheme = "spmd", assignment = "kmeans",
