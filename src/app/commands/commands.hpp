@@ -10,6 +10,7 @@ void add_generate(CLI::App& cli, Command& chosen);
 void add_import(CLI::App& cli, Command& chosen);
 void add_prepare(CLI::App& cli, Command& chosen);
 void add_probe(CLI::App& cli, Command& chosen);
+void add_rooms(CLI::App& cli, Command& chosen);
 void add_render(CLI::App& cli, Command& chosen);
 void add_export(CLI::App& cli, Command& chosen);
 void add_locate(CLI::App& cli, Command& chosen);

@@ -227,18 +227,21 @@ std::string comparison(std::span<const RunPage> runs) {
 
 }  // namespace
 
+std::string html_page(const std::string& title, const std::string& body) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
+         escaped(title) + " - Enfilade</title><style>" + report_style +
+         "</style></head><body><main><h1>" + escaped(title) +
+         "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
+         "radiosity. Made by Enfilade.</p>" +
+         body + "</main></body></html>\n";
+}
+
 std::string report_html(std::span<const RunPage> runs) {
   const std::string title = runs.size() == 1 ? runs[0].name : std::to_string(runs.size()) + " runs";
-  std::string html =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
-      escaped(title) + " - Enfilade</title><style>" + report_style + "</style></head><body><main>";
-  html += "<h1>" + escaped(title) +
-          "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
-          "radiosity. Made by Enfilade.</p>";
-  if (runs.size() > 1) html += comparison(runs);
-  for (const RunPage& run : runs) html += run_section(run, runs.size() > 1);
-  return html + "</main></body></html>\n";
+  std::string body = runs.size() > 1 ? comparison(runs) : "";
+  for (const RunPage& run : runs) body += run_section(run, runs.size() > 1);
+  return html_page(title, body);
 }
 
 }  // namespace enfilade

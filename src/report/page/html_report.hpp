@@ -42,6 +42,9 @@ void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Came
                   std::span<const Rank> owner, const RenderConfig& config,
                   const Progress& progress = {});
 
+/// Returns a page with a body in the style of the report (HTML), its title as text.
+std::string html_page(const std::string& title, const std::string& body);
+
 /// Returns the page. With several runs a table that compares them comes first.
 std::string report_html(std::span<const RunPage> runs);
 

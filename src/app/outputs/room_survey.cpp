@@ -1,0 +1,33 @@
+#include "app/outputs/room_survey.hpp"
+
+#include "scene/photopic.hpp"
+
+namespace enfilade {
+
+PointGatherConfig survey_gather() {
+  PointGatherConfig config;
+  config.rays = 1024;
+  return config;
+}
+
+RoomTable survey_run(const SolvedRun& run, const SurveyConfig& config,
+                     std::span<const GlarePlace> places, const Progress& progress) {
+  const Scene& scene = run.prepared().scene;
+  const SolvedScene solved = run.solved_scene();
+  const SurveyedScene surveyed{solved, run.gather(), run.patch_error()};
+  std::vector<SurveyRoom> rooms = rooms_of_building(solved.building(), scene.building.rooms);
+  if (scene.unit != ExitanceUnit::lumen_per_m2) {
+    for (SurveyRoom& room : rooms) room.required = 0.0;
+  }
+  RoomTable table;
+  table.unit = irradiance_label(scene.unit);
+  table.weights = photopic_words(scene);
+  table.maintenance_factor = config.maintenance_factor;
+  table.plane_m = config.plane_m;
+  table.cylindrical_m = config.cylindrical_m;
+  table.rooms = survey_rooms(surveyed, std::move(rooms), config, progress);
+  table.glare = glare_at(surveyed, places, config.maintenance_factor, progress);
+  return table;
+}
+
+}  // namespace enfilade
