@@ -141,7 +141,7 @@ void add_options(CLI::App& sub, RoomsOptions& o) {
       ->capture_default_str();
   sub.add_option("--noise", o.gather.noise,
                  "More rays, up to 16 times as many, where their noise is above this share of a "
-                 "point's light (0: never; default as for probe)")
+                 "point's light (0: never; default: 0.01)")
       ->check(share_of_one());
   sub.add_option("--seed", o.gather.seed, "Seed of the rays")
       ->check(whole_number())

@@ -6,7 +6,8 @@ namespace enfilade {
 
 PointGatherConfig survey_gather() {
   PointGatherConfig config;
-  config.rays = 1024;
+  config.rays = 256;
+  config.noise = 0.01;
   return config;
 }
 

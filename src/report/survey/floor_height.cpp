@@ -37,10 +37,10 @@ FloorHeight floor_height(const Occluders& occluders, const RoomPlan& plan, doubl
   for (const Vec2& p : plan.spread(points_of_room)) {
     const Vec3 from(p, from_m);
     const RayHit down = occluders.rays().closest(from, Vec3(0, 0, -1));
-    if (down.any() && down.front && normal(occluders.polygon(down.polygon)).z > level)
+    if (down.any() && std::abs(normal(occluders.polygon(down.polygon)).z) > level)
       below.push_back(from_m - down.distance_m);
     const RayHit up = occluders.rays().closest(from, Vec3(0, 0, 1));
-    if (up.any() && up.front) above.push_back(from_m + up.distance_m);
+    if (up.any()) above.push_back(from_m + up.distance_m);
   }
   FloorHeight found;
   std::ranges::sort(below);

@@ -16,15 +16,12 @@ namespace {
 constexpr double most_plane_share = 0.5, most_cylindrical_share = 0.8;
 /// Vertical directions at a point, and in a room at the least.
 constexpr int directions_of_point = 4, directions_of_room = 64;
-/// A point that sees more backs than this does not count.
-constexpr double mostly = 0.5;
 constexpr double golden = 0.6180339887498949;
 constexpr double verdict_deviations = 2.0;
 
 /// The light of one gather as one value.
 struct Gathered {
   double value = 0.0, noise = 0.0, bias = 0.0;
-  bool counts = true;  ///< false: in furniture
 };
 
 /// Mean of gathers: noise is independent, the error of the reflected light is common to all.
@@ -140,33 +137,50 @@ class Survey {
     const double error = factor * photopic(scene, light.error);
     const double noise = factor * photopic(scene, light.noise);
     return {factor * photopic(scene, light.irradiance), noise,
-            std::sqrt(std::max(0.0, error * error - noise * noise)), light.back_share <= mostly};
+            std::sqrt(std::max(0.0, error * error - noise * noise))};
+  }
+
+  /// The mean over all directions is found from few: a source alone moves it, as it turns, by the
+  /// harmonic of the clamped cosine that has their number. Its share of that of half as many
+  /// directions, whose two means differ by twice of it, is ((D/2)^2 - 1) / (D^2 - 1).
+  static std::optional<Estimate> cylindrical_light(const Cylinder& cylinder,
+                                                   const std::vector<Task>& tasks,
+                                                   std::size_t& next) {
+    MeanOf mean;
+    const double d = cylinder.directions;
+    const double share = (0.25 * d * d - 1.0) / (d * d - 1.0);
+    double square = 0.0;
+    for (std::size_t i = 0; i < cylinder.points.size(); ++i) {
+      double difference = 0.0;  // of the means over every other direction
+      for (int k = 0; k < cylinder.directions; ++k) {
+        const Gathered& light = tasks[next++].light;
+        mean.add(light);
+        difference += (k % 2 == 0 ? light.value : -light.value) / (0.5 * d);
+      }
+      square += 0.25 * share * share * difference * difference;
+    }
+    std::optional<Estimate> found = mean.estimate();
+    if (found) {
+      const auto points = static_cast<double>(cylinder.points.size());
+      found->error = std::hypot(found->error, std::sqrt(square) / points);
+    }
+    return found;
   }
 
   /// Takes the room's tasks, from number `next` on.
   void finish(std::size_t number, const std::vector<Task>& tasks, std::size_t& next) {
     RoomFigures& room = figures_[number];
-    MeanOf mean, cylindrical;
+    MeanOf mean;
     std::optional<Gathered> lowest, highest;
-    std::vector<GridValue> values;
     for (GridValue& point : room.values) {
       const Gathered& light = tasks[next++].light;
-      if (!light.counts) {
-        ++room.in_furniture;
-        continue;
-      }
       point.value = light.value;
-      values.push_back(point);
       mean.add(light);
       if (!lowest || light.value < lowest->value) lowest = light;
       if (!highest || light.value > highest->value) highest = light;
     }
-    room.values = std::move(values);
-    const auto vertical =
-        cylinders_[number].points.size() * static_cast<std::size_t>(cylinders_[number].directions);
-    for (std::size_t i = 0; i < vertical; ++i) cylindrical.add(tasks[next++].light);
     room.mean = mean.estimate();
-    room.cylindrical = cylindrical.estimate();
+    room.cylindrical = cylindrical_light(cylinders_[number], tasks, next);
     if (!lowest) return;
     room.minimum = Estimate{lowest->value, std::hypot(lowest->noise, lowest->bias)};
     room.maximum = Estimate{highest->value, std::hypot(highest->noise, highest->bias)};

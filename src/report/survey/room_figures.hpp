@@ -52,7 +52,8 @@ struct RoomFigures {
   std::optional<Estimate> mean, minimum, maximum, u0;
   /// Means over area, read off the patches; none where rays find no such surface.
   std::optional<Estimate> walls, ceiling;
-  /// Mean over the grid's points of the mean vertical illuminance over four directions or more.
+  /// Mean over the grid's points of the mean vertical illuminance over four directions or more; the
+  /// error counts that they are few.
   std::optional<Estimate> cylindrical;
 };
 

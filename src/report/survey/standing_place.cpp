@@ -10,6 +10,9 @@ namespace enfilade {
 namespace {
 
 constexpr int rays_round = 64;
+/// Inside of a solid nearly all rays end on backs. In a room some of them may as well: a ceiling
+/// that faces the wrong way is half of what a point below it sees.
+constexpr double backs_share = 0.8;
 constexpr double golden = 0.6180339887498949;
 /// A floor this much below the room's own is another room's: a share of the room's height.
 constexpr double floor_step_share = 0.2;
@@ -31,7 +34,7 @@ PointPlace place_of(const Occluders& occluders, const SurveyRoom& room, const Ve
     ends += hit.any();
     backs += hit.any() && !hit.front;
   }
-  if (2 * backs > ends) return PointPlace::in_furniture;
+  if (backs > backs_share * ends) return PointPlace::in_furniture;
   const double room_m = std::min(room.plan.rectangle().width_m, room.height_m());
   if (farthest_m < pocket_share * room_m) return PointPlace::in_furniture;
   if (!room.has_floor) return PointPlace::open;
