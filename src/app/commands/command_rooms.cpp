@@ -40,8 +40,7 @@ constexpr SubcommandText help_text{
 
 struct RoomsOptions {
   std::string run, output, places;
-  SurveyConfig survey;
-  PointGatherConfig gather = survey_gather();
+  RunSurvey how;
 };
 
 bool is_page(const std::string& path) { return path.ends_with(".html"); }
@@ -103,9 +102,9 @@ void run_rooms(const RoomsOptions& options, const Console& console) {
   if (!options.places.empty()) places = read_glare_places(options.places);
   RunLock lock;
   lock.read(options.run);
-  const SolvedRun run(options.run, options.gather);
+  const SolvedRun run(options.run);
   if (!places.empty()) refuse_watts(run, options.run);
-  const RoomTable table = survey_run(run, options.survey, places, console.progress());
+  const RoomTable table = survey_run(run, options.how, places, console.progress());
   if (table.rooms.empty()) {
     throw InputError(options.run, "rooms", "the scene names none, and no cell of it is a room",
                      "list them under \"rooms\" in the scene file, and solve it again");
@@ -121,29 +120,29 @@ void add_options(CLI::App& sub, RoomsOptions& o) {
   sub.add_option("-o,--output", o.output, "File to write: .csv for a table, .html for a page")
       ->required();
   sub.add_option(
-         "--height", o.survey.plane_m,
+         "--height", o.how.survey.plane_m,
          "Height of the working plane above the floor, m; at most half of the room's height")
       ->check(number_from_zero())
       ->capture_default_str();
-  sub.add_option("--cylindrical-height", o.survey.cylindrical_m,
+  sub.add_option("--cylindrical-height", o.how.survey.cylindrical_m,
                  "Height of the points of cylindrical illuminance above the floor, m")
       ->check(number_from_zero())
       ->capture_default_str();
-  sub.add_flag("!--no-cylindrical", o.survey.cylindrical,
+  sub.add_flag("!--no-cylindrical", o.how.survey.cylindrical,
                "Leave cylindrical illuminance out, which takes most of the time");
-  sub.add_option("--maintenance-factor", o.survey.maintenance_factor,
+  sub.add_option("--maintenance-factor", o.how.survey.maintenance_factor,
                  "All light is multiplied by it; 0.8 is usual, 1 is a new installation")
       ->check(number_between(0.0, 1.0 + 1e-9))
       ->capture_default_str();
   sub.add_option("--ugr-at", o.places, "File of places at which glare is rated (JSON)");
-  sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere of each point, at first")
+  sub.add_option("--rays", o.how.gather.rays, "Rays over the hemisphere of each point, at first")
       ->check(CLI::Range(4, 100000000))
       ->capture_default_str();
-  sub.add_option("--noise", o.gather.noise,
+  sub.add_option("--noise", o.how.gather.noise,
                  "More rays, up to 16 times as many, where their noise is above this share of a "
-                 "point's light (0: never; default: 0.01)")
+                 "point's light (0: never; default: 0.02)")
       ->check(share_of_one());
-  sub.add_option("--seed", o.gather.seed, "Seed of the rays")
+  sub.add_option("--seed", o.how.gather.seed, "Seed of the rays")
       ->check(whole_number())
       ->capture_default_str();
 }

@@ -4,18 +4,13 @@
 
 namespace enfilade {
 
-PointGatherConfig survey_gather() {
-  PointGatherConfig config;
-  config.rays = 256;
-  config.noise = 0.01;
-  return config;
-}
-
-RoomTable survey_run(const SolvedRun& run, const SurveyConfig& config,
-                     std::span<const GlarePlace> places, const Progress& progress) {
+RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const GlarePlace> places,
+                     const Progress& progress) {
   const Scene& scene = run.prepared().scene;
   const SolvedScene solved = run.solved_scene();
-  const SurveyedScene surveyed{solved, run.gather(), run.patch_error()};
+  const SurveyConfig& config = how.survey;
+  const PointGather gather = run.gather_with(how.gather);
+  const SurveyedScene surveyed{solved, gather, run.patch_error()};
   std::vector<SurveyRoom> rooms = rooms_of_building(solved.building(), scene.building.rooms);
   if (scene.unit != ExitanceUnit::lumen_per_m2) {
     for (SurveyRoom& room : rooms) room.required = 0.0;

@@ -33,6 +33,12 @@ SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory,
       gather_config_(with_errors(config, run_directory)),
       gather_(solution_, prepared_.scene.lights, occluders_, gather_config_) {}
 
+PointGather SolvedRun::gather_with(PointGatherConfig config) const {
+  config.patch_error = gather_config_.patch_error;
+  config.reflected_error = gather_config_.reflected_error;
+  return {solution_, prepared_.scene.lights, occluders_, config};
+}
+
 ProbeMethod probe_method(const std::string& name) {
   if (name == "gather") return ProbeMethod::gather;
   if (name == "patches") return ProbeMethod::patches;

@@ -10,6 +10,7 @@
 #include "report/pictures/camera.hpp"
 #include "report/pictures/render.hpp"
 #include "report/plans/floor_plan.hpp"
+#include "report/room_table/room_table.hpp"
 
 namespace enfilade {
 
@@ -26,6 +27,7 @@ struct RunPage {
   std::vector<RunRecord> history;  ///< one per iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
+  RoomTable rooms;       ///< comes first; without rooms where it was not asked for
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
   std::vector<std::string> warnings, attribution;
 };
