@@ -13,6 +13,7 @@ void add_probe(CLI::App& cli, Command& chosen);
 void add_rooms(CLI::App& cli, Command& chosen);
 void add_render(CLI::App& cli, Command& chosen);
 void add_export(CLI::App& cli, Command& chosen);
+void add_factors(CLI::App& cli, Command& chosen);
 void add_locate(CLI::App& cli, Command& chosen);
 void add_plan(CLI::App& cli, Command& chosen);
 void add_report(CLI::App& cli, Command& chosen);

@@ -16,6 +16,8 @@ namespace {
 constexpr double cut_m = 0.75;
 /// Of a room's floor, or of a cell's: so much in common, and the cell may be the room's.
 constexpr double common_share = 0.5;
+/// Of a told room's height: its floor lies this near to the bottom of its box.
+constexpr double floor_reach_share = 0.25;
 /// A cell that is lower than this share of the usual height is no room: a cupboard, a void.
 constexpr double least_height_share = 0.5;
 
@@ -179,11 +181,14 @@ SurveyRoom told_room(const Occluders& occluders, const BuildingRoom& told, RoomP
   SurveyRoom room{told.name, told.long_name, told.storey, std::move(plan)};
   room.area_m2 = told.floor_area_m2 > 0.0 ? told.floor_area_m2 : room.plan.area_m2();
   room.required = told.required_lx;
-  const FloorHeight found = floor_height(occluders, room.plan, told.box.center().z);
-  room.has_floor = found.floor_m.has_value();
-  room.floor_m = found.floor_m.value_or(told.box.lo.z);
+  const double height_m = told.box.extent().z;
+  const FloorHeight found = floor_height(occluders, room.plan, cut_height(told.box));
+  // A floor far from where the file says is seen through a hole, or past a roof.
+  room.has_floor = found.floor_m && std::abs(*found.floor_m - told.box.lo.z) <=
+                                        std::max(floor_reach_share * height_m, 1e-9);
+  room.floor_m = room.has_floor ? *found.floor_m : told.box.lo.z;
   room.has_ceiling = found.ceiling_m.has_value();
-  room.ceiling_m = found.ceiling_m.value_or(std::max(told.box.hi.z, told.box.center().z));
+  room.ceiling_m = found.ceiling_m.value_or(told.box.hi.z);
   return room;
 }
 
