@@ -161,7 +161,7 @@ RowSum RowSource::by_rays(std::uint32_t own, int rays) {
   }
   // The standard deviation of a count.
   for (std::size_t k = 0; k < sum.factor_m2.size(); ++k) {
-    const double share = sum.factor_m2[k] / (each_m2 * rays);
+    const double share = std::min(1.0, sum.factor_m2[k] / (each_m2 * rays));
     sum.error_m2[k] = each_m2 * std::sqrt(rays * share * (1.0 - share));
   }
   return sum;

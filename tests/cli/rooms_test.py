@@ -327,6 +327,109 @@ class Tables(InScratch):
             self.assertFalse((self.scratch / "out.csv").exists())
 
 
+class Factors(InScratch):
+    """View factors, and the forms of other programs."""
+
+    def prepare(self, content):
+        run = self.scratch / "run"
+        result = enfilade("prepare", self.write("scene.json", content), "-o", run)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return run
+
+    def test_of_an_l_shaped_room_with_a_cupboard_are_closed_and_reciprocal(self):
+        run = self.prepare(scene(prism(L_SHAPE, 0, 3, 0.6, 0.0, "room") + block(0.5, 3, 0, 1.5, 4, 2, "cupboard")))
+        rows = self.table("factors", run)
+        factor = {(row["from"], row["to"]): float(row["view_factor"]) for row in rows}
+        area = {row["from"]: float(row["area_from_m2"]) for row in rows}
+        self.assertAlmostEqual(area["room floor"], 17.0, delta=0.02)  # less what the cupboard stands on
+        for name in area:
+            if name == "cupboard floor":
+                continue
+            self.assertAlmostEqual(sum(factor[name, other] for other in area), 1.0, delta=1e-4, msg=name)
+            for other in area:
+                self.assertAlmostEqual(area[name] * factor[name, other], area[other] * factor[other, name], delta=1e-6)
+        # The long wall and the one round the corner do not see each other; opposite walls do.
+        self.assertEqual(factor["room wall 1", "room wall 4"], 0.0)
+        self.assertGreater(factor["room wall 0", "room wall 2"], 0.1)
+
+    def test_objects_and_rooms_are_groups(self):
+        two = prism(box(0, 0, 4, 3), 0, 3, 0.5, 0.0, "a") + prism(box(4.2, 0, 8, 3), 0, 3, 0.5, 0.0, "b")
+        run = self.prepare(scene(two, rooms=[{"name": name, "bbox": corners} for name, corners in (
+            ("east", [[4.2, 0, 0], [8, 3, 3]]), ("west", [[0, 0, 0], [4, 3, 3]]))]))
+        for by, names in ("object", {"a", "b"}), ("room", {"east", "west"}):
+            rows = self.table("factors", run, "--by", by)
+            self.assertEqual({row["from"] for row in rows}, names)
+            for row in rows:
+                self.assertAlmostEqual(float(row["view_factor"]), float(row["from"] == row["to"]), delta=1e-6)
+
+    def test_forms_of_other_programs(self):
+        run = self.prepare(scene(prism(box(0, 0, 1, 1), 0, 1, 0.5, 0.0, "cube")))
+        idf, moose = self.scratch / "f.idf", self.scratch / "f.i"
+        self.assertEqual(enfilade("factors", run, "-o", idf, "--zone", "Zone 1").returncode, 0)
+        text = "\n".join(line for line in idf.read_text().splitlines() if not line.startswith("!"))
+        fields = [field.strip() for field in text.strip().rstrip(";").split(",")]
+        self.assertEqual(fields[:2], ["ZoneProperty:UserViewFactors:BySurfaceName", "Zone 1"])
+        triples = list(zip(fields[2::3], fields[3::3], map(float, fields[4::3])))
+        self.assertEqual(len(triples), 36)
+        self.assertAlmostEqual(dict(((a, b), f) for a, b, f in triples)["cube floor", "cube ceiling"], 0.199825, delta=1e-4)
+        self.assertEqual(enfilade("factors", run, "-o", moose).returncode, 0)
+        matrix = re.search(r"view_factors = '([^']*)'", moose.read_text()).group(1)
+        matrix = np.array([[float(x) for x in row.split()] for row in matrix.split(";")])
+        self.assertEqual(matrix.shape, (6, 6))
+        np.testing.assert_allclose(matrix.sum(1), 1.0, atol=1e-4)
+        self.assertEqual(len(re.search(r"boundary = '([^']*)'", moose.read_text()).group(1).split()), 6)
+
+    def test_too_many_are_refused(self):
+        many = [{"vertices": [[i, 0, 0], [i + 1, 0, 0], [i + 1, 1, 0], [i, 1, 0]], "reflectance": 0.5,
+                 "object": f"o{i % 7}"} for i in range(2001)]
+        run = self.prepare(scene(many))
+        out = self.scratch / "f.csv"
+        self.assert_refused(enfilade("factors", run, "-o", out), "2,001", "--by object")
+        self.assert_refused(enfilade("factors", run, "-o", self.scratch / "f.txt"), "f.txt", ".idf")
+        self.assertFalse(out.exists())
+
+
+class Again(InScratch):
+    """A run that is finished is left as it is."""
+
+    def files(self, run):
+        return {path.relative_to(run): path.read_bytes() for path in sorted(run.rglob("*")) if path.is_file()}
+
+    def test_resuming_a_finished_run_changes_nothing(self):
+        run = self.scratch / "run"
+        content = self.write("scene.json", scene(prism(box(0, 0, 5, 4), 0, 3, 0.7, 0.0, "room") + [lamp(1, 1, 2.9, 0.4, 900.0)]))
+        self.assertEqual(enfilade("solve", content, "-o", run, "--rooms", "--target-error", "0.2").returncode, 0)
+        before = self.files(run)
+        self.assertIn(Path("rooms.csv"), before)
+        result = enfilade("solve", run, "--resume", "--rooms", "--target-error", "0.2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("left as it is", result.stderr)
+        self.assertEqual(self.files(run), before)
+        # What is missing or was changed is made again.
+        (run / "report.html").write_text("scribbled over")
+        result = enfilade("solve", run, "--resume", "--rooms", "--target-error", "0.2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Rooms", (run / "report.html").read_text(encoding="utf-8"))
+        # A smaller error is a reason to go on.
+        result = enfilade("solve", run, "--resume", "--target-error", "0.001", "--no-pictures")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("left as it is", result.stderr)
+
+    def test_a_report_takes_the_pictures_that_there_are(self):
+        run = self.scratch / "run"
+        content = self.write("scene.json", scene(prism(box(0, 0, 5, 4), 0, 3, 0.5, 50.0, "room"), rooms=[
+            {"name": "seven", "bbox": [[0, 0, 0], [5, 4, 3]]}]))
+        self.assertEqual(enfilade("solve", content, "-o", run).returncode, 0)
+        page = self.scratch / "report.html"
+        self.assertEqual(enfilade("report", run, "-o", page).returncode, 0)
+        html = page.read_text(encoding="utf-8")
+        self.assertLess(html.index("seven"), html.index('<div class="tiles">'))
+        pictures = re.findall(r'src="data:image/png;base64,([^"]*)"', html)
+        own = re.findall(r'src="data:image/png;base64,([^"]*)"', (run / "report.html").read_text(encoding="utf-8"))
+        self.assertEqual(pictures, own)
+        self.assertGreater(len(pictures), 0)
+
+
 if __name__ == "__main__":
     ENFILADE = sys.argv.pop(1)
     unittest.main()
