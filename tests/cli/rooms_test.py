@@ -214,6 +214,13 @@ class Furniture(InScratch):
         self.assertEqual((row["points"], row["points_in_furniture"]), ("44", "4"))
         self.assertAlmostEqual(float(row["height_m"]), 3.0, delta=1e-3)
 
+    def test_nor_do_points_in_a_cupboard_that_shows_its_front_inside(self):
+        cupboard = block(1, 1, 0, 2, 2, 0.9, "cupboard")
+        for surface in cupboard:
+            surface["two_sided"] = True
+        row = self.table("rooms", self.solve(scene(prism(box(0, 0, 5, 4), 0, 3, 0.5, 50.0, "room") + cupboard)))[0]
+        self.assertEqual((row["points"], row["points_in_furniture"]), ("44", "4"))
+
     def test_a_table_top_is_a_fine_place(self):
         surfaces = prism(box(0, 0, 5, 4), 0, 3, 0.5, 50.0, "room") + block(1, 1, 0.7, 4, 3, 0.75, "table")
         row = self.table("rooms", self.solve(scene(surfaces)))[0]

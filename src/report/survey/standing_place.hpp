@@ -8,7 +8,8 @@ namespace enfilade {
 
 enum class PointPlace {
   open,
-  in_furniture,  ///< inside of a thing: nearly all rays end on backs, or all of them near by
+  in_furniture,  ///< inside of a thing: nearly all rays end on backs, or most of those upward near
+                 ///< by
   without_floor  ///< no floor of the room lies below: a stairwell, an atrium, outside
 };
 
