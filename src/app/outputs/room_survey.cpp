@@ -1,6 +1,6 @@
 #include "app/outputs/room_survey.hpp"
 
-#include "scene/photopic.hpp"
+#include "report/survey/one_value.hpp"
 
 namespace enfilade {
 
@@ -17,7 +17,7 @@ RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const
   }
   RoomTable table;
   table.unit = irradiance_label(scene.unit);
-  table.weights = photopic_words(scene);
+  table.weights = weights_of(scene);
   table.maintenance_factor = config.maintenance_factor;
   table.plane_m = config.plane_m;
   table.cylindrical_m = config.cylindrical_m;

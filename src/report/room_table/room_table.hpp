@@ -14,7 +14,7 @@ struct RoomTable {
   std::vector<RoomFigures> rooms;
   std::vector<GlareRating> glare;  ///< at the places that were asked for
   std::string unit;                ///< "lx" or "W/m2"
-  std::string weights;             ///< photopic_words() of the scene
+  std::string weights;             ///< weights_of() the scene
   double maintenance_factor = 1.0;
   double plane_m = 0.75, cylindrical_m = 1.2;  ///< heights that were asked for
 };

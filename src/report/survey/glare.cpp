@@ -8,7 +8,7 @@
 #include "geometry/clip.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
-#include "scene/photopic.hpp"
+#include "report/survey/one_value.hpp"
 
 namespace enfilade {
 namespace {
@@ -32,7 +32,7 @@ std::vector<Source> sources_of(const SolvedScene& solved) {
     const PatchForest& forest = solved.states[cluster.id.index()].patches();
     for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
       const auto& exitance = forest.frames()[k].exitance;
-      const double emitted = photopic(solved.scene, Spectrum(exitance.begin(), exitance.end()));
+      const double emitted = one_value(solved.scene, Spectrum(exitance.begin(), exitance.end()));
       if (emitted > 0.0)
         sources.push_back({solved.occluders.global(cluster.id, k), emitted / std::numbers::pi});
     }
@@ -113,8 +113,8 @@ GlareRating rating_of(const SurveyedScene& scene, std::span<const Source> source
   rating.largest_sr = eye.largest_sr();
   const PointIrradiance light = scene.gather.at(place.p, place.direction);
   const Scene& of = scene.solved.scene;
-  const double indirect = photopic(of, light.irradiance) - photopic(of, light.direct);
-  const double error = photopic(of, light.error);
+  const double indirect = one_value(of, light.irradiance) - one_value(of, light.direct);
+  const double error = one_value(of, light.error);
   rating.background_cd_m2 = factor * std::max(0.0, indirect) / std::numbers::pi;
   // With less than its error there is no telling a background from none.
   if (!(indirect > error) || !(eye.sum() > 0.0)) return rating;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/photopic.hpp"
+#include "report/survey/one_value.hpp"
 
 namespace enfilade {
 namespace {
@@ -34,7 +34,7 @@ class Mean {
     if (!accepts(frame.n)) return;
     std::vector<double> light(static_cast<std::size_t>(forest.bands()));
     forest.evaluate(false, ref.polygon, from + hit.distance_m * direction, light);
-    sum_ += std::max(0.0, photopic(solved_.scene, light));
+    sum_ += std::max(0.0, one_value(solved_.scene, light));
     ++count_;
   }
 

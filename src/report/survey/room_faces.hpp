@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-/// Light per area, in the scene's unit, as one value (scene/photopic.hpp); none where rays find no
+/// Light per area, in the scene's unit, as one value (one_value.hpp); none where rays find no
 /// such surface.
 struct FaceLight {
   std::optional<double> walls, ceiling;

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "base/run_on_threads.hpp"
+#include "report/survey/one_value.hpp"
 #include "report/survey/room_faces.hpp"
 #include "report/survey/standing_place.hpp"
-#include "scene/photopic.hpp"
 
 namespace enfilade {
 namespace {
@@ -134,9 +134,9 @@ class Survey {
     const Scene& scene = scene_.solved.scene;
     const double factor = config_.maintenance_factor;
     // Bands share their rays: their errors are taken as one.
-    const double error = factor * photopic(scene, light.error);
-    const double noise = factor * photopic(scene, light.noise);
-    return {factor * photopic(scene, light.irradiance), noise,
+    const double error = factor * one_value(scene, light.error);
+    const double noise = factor * one_value(scene, light.noise);
+    return {factor * one_value(scene, light.irradiance), noise,
             std::sqrt(std::max(0.0, error * error - noise * noise))};
   }
 

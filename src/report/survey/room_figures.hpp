@@ -20,7 +20,7 @@ struct Estimate {
 };
 
 /// What a survey reads: the solution, and a gatherer over it. Several bands count as one value
-/// (scene/photopic.hpp).
+/// (one_value.hpp).
 struct SurveyedScene {
   const SolvedScene& solved;
   const PointGather& gather;
