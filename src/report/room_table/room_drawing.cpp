@@ -97,7 +97,8 @@ void add_lines(const GridField& field, const RoomFigures& room, const GridMap& m
       for (const Vec2& p : line) path.push_back(map.at(p));
     }
     if (shape.paths.empty()) continue;
-    const auto longest = std::ranges::max_element(shape.paths, {}, &Path::size);
+    const auto longest =
+        std::ranges::max_element(shape.paths, {}, [](const Path& path) { return path.size(); });
     drawing.words.push_back({drawing.frame.to_px((*longest)[longest->size() / 2]),
                              fmt::format("{:g}", level), 11.0, ink, true});
     drawing.map.push_back(std::move(shape));
