@@ -89,4 +89,14 @@ std::string file_text(std::string_view text) {
   return safe_text(text, "\n\t", [](std::uint32_t) { return std::string("\xEF\xBF\xBD"); });
 }
 
+std::string csv_field(std::string_view text) {
+  std::string safe = file_text(text);
+  if (!safe.empty() && std::string_view("=+-@\t").find(safe.front()) != std::string_view::npos)
+    safe.insert(0, 1, '\'');
+  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace enfilade

@@ -21,5 +21,9 @@ std::string terminal_text(std::string_view text);
 std::string on_one_line(std::string_view text);
 /// For files: each becomes U+FFFD, the replacement character; line breaks and tabs stay.
 std::string file_text(std::string_view text);
+/// A field of a CSV file as RFC 4180 has it: in quotes where it holds a comma, a quote or a line
+/// break. Where a spreadsheet would take it for a formula, an apostrophe stands before it, which
+/// tells the spreadsheet that it is text.
+std::string csv_field(std::string_view text);
 
 }  // namespace enfilade

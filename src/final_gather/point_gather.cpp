@@ -230,7 +230,8 @@ PointGather::~PointGather() = default;
 PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   // Seeded for each point: the answer does not depend on the points before it.
   Random random(impl_->config.seed);
-  PointIrradiance light{Spectrum(impl_->bands, 0.0), Spectrum(impl_->bands, 0.0)};
+  const Spectrum none(impl_->bands, 0.0);
+  PointIrradiance light{none, none, none, none};
   Spectrum& e = light.irradiance;
   const std::uint32_t own = surface_at(*impl_->occluders, p, n);
   const Vec3 x = lifted(*impl_->occluders, p, n);
@@ -240,13 +241,15 @@ PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
       x, n, own, share_left_to_rays(impl_->config), random, e, variance);
   for (std::size_t b = 0; b < impl_->bands; ++b) e[b] += emitted[b];
   impl_->emitters.add_emitted(control, emitted);
+  light.direct = emitted;
   impl_->add_hemisphere(x, n, own, random, control, variance, light);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
     if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
     const double reflected = std::max(0.0, e[b] - emitted[b]);
-    light.error[b] = std::hypot(
-        std::sqrt(variance[b]),
-        impl_->config.reflected_error * (reflected + share_everywhere * impl_->mean_irradiance[b]));
+    light.noise[b] = std::sqrt(variance[b]);
+    light.error[b] =
+        std::hypot(light.noise[b], impl_->config.reflected_error *
+                                       (reflected + share_everywhere * impl_->mean_irradiance[b]));
   }
   return light;
 }

@@ -53,7 +53,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<PointLight> lights;
   std::vector<Probe> probes;
-  BuildingData building;   ///< filled by importers alone
+  BuildingData building;   ///< rooms are read from scene files, the rest comes from importers
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
   std::string text;        ///< the very bytes that were hashed, of a file in our own format
 };

@@ -9,6 +9,7 @@
 #include "json/json_text.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene_file/key_reader.hpp"
+#include "scene_file/room_reader.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -39,6 +40,7 @@ class SceneReader {
     for (std::size_t i = 0; i < surfaces.size(); ++i) read_surface(surfaces[i], i);
     read_lights(document);
     scene_.probes = keys_.probes(document, scale_, &unknown_);
+    scene_.building.rooms = read_rooms(keys_, document, scale_, unknown_);
     broadcast();
     check_limits(scene_);
     warn();

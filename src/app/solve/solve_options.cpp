@@ -35,7 +35,8 @@ constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
-    "--resume",       "--patch-links",    "--hierarchy", "--target-error-at"};
+    "--resume",       "--patch-links",    "--hierarchy", "--target-error-at",
+    "--rooms"};
 
 /// Below this share of the light, what is asked for drowns in the rounding of numbers.
 constexpr double least_share = 1e-9;
@@ -252,6 +253,10 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   sub.add_flag("--trace", o.trace,
                "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
+  sub.add_flag(
+      "--rooms", o.rooms,
+      "Also the light in each room: RUN/rooms.csv, and first in report.html; 'enfilade rooms' "
+      "and 'enfilade report' find it later as well");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.parse_complete_callback([&sub, &o] {
     o.given.clear();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <string_view>
 #include <vector>
 
 #include "base/safe_text.hpp"
@@ -17,19 +16,6 @@ struct Sums {
   double area_m2 = 0.0;
   std::vector<double> irradiance, radiosity;  ///< times area
 };
-
-/// A field as RFC 4180 has it: in quotes where it holds a comma, a quote or a line break. Where a
-/// spreadsheet would take it for a formula, an apostrophe stands before it, which tells the
-/// spreadsheet that it is text.
-std::string field(const std::string& name) {
-  std::string text = file_text(name);
-  if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
-    text.insert(0, 1, '\'');
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::vector<Sums> sums_over_surfaces(const SolvedScene& solved) {
   const std::size_t bands = static_cast<std::size_t>(solved.scene.bands);
@@ -68,7 +54,7 @@ std::string surfaces_csv(const SolvedScene& solved) {
   const std::vector<Sums> sums = sums_over_surfaces(solved);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Surface& surface = solved.scene.surfaces[i];
-    fmt::format_to(out, "{},{},{},{:.6g}", i, field(surface.name), field(surface.object),
+    fmt::format_to(out, "{},{},{},{:.6g}", i, csv_field(surface.name), csv_field(surface.object),
                    sums[i].area_m2);
     for (const auto* light : {&sums[i].irradiance, &sums[i].radiosity}) {
       for (double power : in_bands_of_file(solved.scene, *light)) {

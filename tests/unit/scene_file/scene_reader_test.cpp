@@ -207,5 +207,27 @@ TEST_F(SceneReader, HashFollowsTheBytes) {
   EXPECT_NE(read(text).hash, read(text + " ").hash);
 }
 
+TEST_F(SceneReader, RoomsAreReadInMetres) {
+  const Scene scene = read(
+      R"({"units": "cm", "rooms": [
+          {"name": 101, "longName": "Office", "storey": "EG", "bbox": [[0, 0, 0], [400, 300, 250]],
+           "floorArea": 120000, "required_lx": 500},
+          {"name": "l", "outline": [[0, 0], [0, 200], [200, 200], [200, 0]], "z": [0, 300]}],
+          "surfaces": [{)" +
+      std::string(triangle) + "}]}");
+  ASSERT_EQ(scene.building.rooms.size(), 2u);
+  const BuildingRoom& office = scene.building.rooms[0];
+  EXPECT_EQ(office.name, "101");
+  EXPECT_EQ(office.long_name, "Office");
+  EXPECT_EQ(office.storey, "EG");
+  EXPECT_DOUBLE_EQ(office.box.hi.z, 2.5);
+  EXPECT_DOUBLE_EQ(office.floor_area_m2, 12.0);
+  EXPECT_DOUBLE_EQ(office.required_lx, 500.0);
+  const BuildingRoom& other = scene.building.rooms[1];
+  // Its outline ran clockwise.
+  EXPECT_EQ(other.outline, (std::vector<Vec2>{{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
+  EXPECT_DOUBLE_EQ(other.box.hi.z, 3.0);
+}
+
 }  // namespace
 }  // namespace enfilade
