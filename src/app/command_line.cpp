@@ -61,6 +61,7 @@ void add_subcommands(CLI::App& cli, Command& chosen,
   add_render(cli, chosen);
   add_export(cli, chosen);
   add_factors(cli, chosen);
+  add_bounds(cli, chosen);
   add_locate(cli, chosen);
   add_plan(cli, chosen);
   add_report(cli, chosen);

@@ -20,7 +20,7 @@ ROOM = HERE / "room.json"
 SCENES = ROOT / "tests/data/scene"
 ENFILADE = os.environ.get("ENFILADE", "")
 MPIRUN = ["mpirun", "--oversubscribe", "-n"]
-SUBCOMMANDS = ["generate", "import", "prepare", "solve", "probe", "rooms", "render", "export", "factors", "locate", "plan", "report", "info"]
+SUBCOMMANDS = ["generate", "import", "prepare", "solve", "probe", "rooms", "render", "export", "factors", "bounds", "locate", "plan", "report", "info"]
 os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
@@ -469,6 +469,33 @@ class Workflow(InScratch):
                               ("--noise", "1.1"), ("--rays", "0")):
             self.assert_refused(enfilade("probe", self.run_directory, "--points", points, "-o",
                                          self.scratch / "a.json", option, value), option)
+
+    def test_bounds_hold_the_estimate_of_every_surface(self):
+        table = self.scratch / "bounds.csv"
+        result = enfilade("bounds", self.run_directory, "-o", table, "--links", "2000")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(table, encoding="utf-8") as lines:
+            rows = list(csv.DictReader(lines))
+        scene = json.loads(ROOM.read_text())
+        self.assertEqual([row["name"] for row in rows if row["kind"] == "surface"],
+                         [surface.get("name", "") for surface in scene["surfaces"]])
+        self.assertEqual(sum(row["kind"] == "scene" for row in rows), 1)
+        self.assertGreaterEqual(sum(row["kind"] == "room" for row in rows), 1)
+        bounded = 0
+        for row in rows:
+            for key in (key for key in row if key.startswith("lower") and row[key]):
+                low, high = float(row[key]), float(row[key.replace("lower", "upper")])
+                self.assertLessEqual(0.97 * low, float(row[key.replace("lower", "estimate")]), row)
+                self.assertGreaterEqual(1.03 * high, float(row[key.replace("lower", "estimate")]), row)
+                bounded += 1
+        self.assertGreaterEqual(bounded, len(scene["surfaces"]))
+
+    def test_bounds_refuse_what_they_cannot_do(self):
+        out = self.scratch / "bounds.csv"
+        for option, value in (("--bounds", "0"), ("--bounds", "nan"), ("--links", "0"), ("--seconds", "-1")):
+            self.assert_refused(enfilade("bounds", self.run_directory, "-o", out, option, value), option)
+        self.assert_refused(enfilade("bounds", self.scratch, "-o", out))
+        self.assertFalse(out.exists())
 
     def test_locate(self):
         points, cells = self.scratch / "points.json", self.scratch / "cells.json"

@@ -14,6 +14,7 @@ void add_rooms(CLI::App& cli, Command& chosen);
 void add_render(CLI::App& cli, Command& chosen);
 void add_export(CLI::App& cli, Command& chosen);
 void add_factors(CLI::App& cli, Command& chosen);
+void add_bounds(CLI::App& cli, Command& chosen);
 void add_locate(CLI::App& cli, Command& chosen);
 void add_plan(CLI::App& cli, Command& chosen);
 void add_report(CLI::App& cli, Command& chosen);
