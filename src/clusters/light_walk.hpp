@@ -29,7 +29,7 @@ class LightWalk {
  private:
   bool one_walk(Vec3 p, Vec3 n, Random& random) const;
   bool sees_light(const Vec3& p, const Vec3& n, Random& random) const;
-  bool sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light) const;
+  bool sees_light(const Vec3& p, const Vec3& n, const LightSource& light, Random& random) const;
   bool sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter, Random& random) const;
 
   struct Face {

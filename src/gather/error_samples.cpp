@@ -5,6 +5,7 @@
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "occluders/light_at.hpp"
 
 namespace enfilade {
 namespace {
@@ -128,16 +129,10 @@ double ErrorSamples::bright_radiosity(const Point& point) const {
 
 void ErrorSamples::add(const PointLight& light) {
   for (Point& point : points_) {
-    const Vec3 d = light.p - point.x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, point.n);
-    if (cosine <= 0.0) continue;
-    ++work_->rays;
     const std::uint32_t own = occluders_->global(receiver_, point.polygon);
-    if (occluders_->rays().occluded(point.x, light.p, own)) continue;
+    const double kernel = light_at(light, {point.x, point.n, own}, *occluders_, work_).irradiance;
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b) {
-        half[b] += light.intensity[b] * cosine / (r2 * std::sqrt(r2));
-      }
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += light.intensity[b] * kernel;
     }
   }
 }

@@ -19,8 +19,8 @@ class GatheredLight {
                 const BuildingLight* far);
 
   /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light or a far
-  /// node where that is null. Returns its RMS variation over the shooter (worst band; 0 for a
-  /// light).
+  /// node where that is null. Returns its RMS variation over the shooter (worst band), as
+  /// NodeLight::variation has it.
   double read(const Link& link, const PatchForest* shooter);
   /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
   /// intensity.

@@ -25,13 +25,25 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
+/// By the largest intensity within the cone that the receiver fills, seen from anywhere on the
+/// light.
+double light_bound(const LinkSide& receiver, const LinkSide& shooter, double gap) {
+  const Vec3 d = receiver.center - shooter.center;
+  const double distance = glm::length(d), reach = receiver.radius + shooter.radius;
+  ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
+  if (distance > reach) cone = {d / distance, std::asin(reach / distance)};
+  const double most = shooter.part->share * most_relative_intensity(*shooter.part->light, cone);
+  if (most <= 0.0) return 0.0;
+  return gap > 0.0 ? most * receiver.area_m2 / (gap * gap) : unbounded;
+}
+
 }  // namespace
 
 double LinkEstimator::factor_bound(const LinkSide& receiver, const LinkSide& shooter) {
   const double gap =
       std::max(glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius,
                gap_m(receiver.bounds, shooter.bounds));
-  if (shooter.is_light()) return gap > 0.0 ? receiver.area_m2 / (gap * gap) : unbounded;
+  if (shooter.is_light()) return light_bound(receiver, shooter, gap);
   const double factor =
       gap > 0.0 ? std::min(1.0, shooter.area_m2 / (std::numbers::pi * gap * gap)) : 1.0;
   return receiver.area_m2 * factor;
@@ -74,9 +86,7 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
                                 std::span<double> per_polygon) {
   if (shooter.is_light()) {
     ++work_->kernels;
-    const Vec3 d = shooter.center - x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
-    return cosine > 0.0 ? cosine / (r2 * std::sqrt(r2)) : 0.0;
+    return kernel_of(*shooter.part, x, n).at;
   }
   if (shooter.is_patch()) {
     ++work_->form_factors;

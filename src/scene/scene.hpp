@@ -9,11 +9,9 @@
 #include "base/warnings.hpp"
 #include "geometry/polygon.hpp"
 #include "scene/building.hpp"
+#include "scene/light.hpp"
 
 namespace enfilade {
-
-/// One value a spectral band.
-using Spectrum = std::vector<double>;
 
 /// An input polygon, as read: any number of vertices from 3, perhaps not planar or convex.
 struct Surface {
@@ -23,13 +21,13 @@ struct Surface {
   std::string name;      ///< may be empty
   std::string object;    ///< may be empty
   bool two_sided = false;
+  /// How the light that it emits is distributed, its aim along the normal; null: as from a dull
+  /// (Lambertian) surface. The exitance is the flux per area all the same.
+  std::shared_ptr<const IntensityDistribution> distribution{};
+  Vec3 up{0.0};  ///< of the distribution, about; 0 for any
 };
 
-/// An isotropic point source; intensity per band, W/sr (or lm/sr where the unit is lm/m2).
-struct PointLight {
-  Vec3 p{0.0};
-  Spectrum intensity;
-};
+using PointLight = LightSource;
 
 /// A place where irradiance is computed: on a plane through p with normal n.
 struct Probe {

@@ -24,7 +24,7 @@ void write_probe_answers(const ProbeFile& source, const std::string& path,
   nlohmann::ordered_json document = parse_ordered_json(source.text, source.path);
   // Where the probes came with a scene, its geometry is no part of the answer.
   document.erase("surfaces");
-  document.erase("lights");
+  for (const char* key : {"lights", "luminaires", "distributions"}) document.erase(key);
   // All light in the answer is in the unit of the run.
   if (document.contains("exitanceUnits")) document["exitanceUnits"] = name_of(unit);
   document["from"] = from;
