@@ -25,14 +25,20 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
-/// By the largest intensity within the cone that the receiver fills, seen from anywhere on the
-/// light.
+/// True where all of the receiver lies behind a light that sends nothing backwards, as the ceiling
+/// around a recessed luminaire does: each point of it seen from each point of the opening.
+bool behind_beam(const LinkSide& receiver, const LinkSide& shooter, double tolerance_m) {
+  const LightSource& light = *shooter.part->light;
+  if (!light.distribution || !light.distribution->is_dark_behind()) return false;
+  const Vec3& aim = light.frame.aim;
+  double lowest = glm::dot(aim, shooter.corners[0]);
+  for (const Vec3& corner : shooter.corners) lowest = std::min(lowest, glm::dot(aim, corner));
+  if (receiver.is_patch()) return behind(receiver.corners, lowest * aim, aim, tolerance_m);
+  return highest_distance(receiver.bounds, {aim, lowest}) <= tolerance_m;
+}
+
 double light_bound(const LinkSide& receiver, const LinkSide& shooter, double gap) {
-  const Vec3 d = receiver.center - shooter.center;
-  const double distance = glm::length(d), reach = receiver.radius + shooter.radius;
-  ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
-  if (distance > reach) cone = {d / distance, std::asin(reach / distance)};
-  const double most = shooter.part->share * most_relative_intensity(*shooter.part->light, cone);
+  const double most = shooter.most_toward(receiver);
   if (most <= 0.0) return 0.0;
   return gap > 0.0 ? most * receiver.area_m2 / (gap * gap) : unbounded;
 }
@@ -68,6 +74,7 @@ bool LinkEstimator::faces_away(const LinkSide& receiver, const LinkSide& shooter
       return true;
     }
   }
+  if (shooter.is_light()) return behind_beam(receiver, shooter, tolerance_m);
   if (shooter.is_patch()) {
     const PolygonFrame& f = shooter.frame();
     if (receiver.is_patch()) return behind(receiver.corners, f.origin, f.n, tolerance_m);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/clip.hpp"
 
@@ -119,6 +120,14 @@ LinkSide LinkSide::of(const LightSource& light, PatchId id) {
   side.radius = side.part->radius;
   static_cast<NodeLight&>(side) = NodeLight::of(light);
   return side;
+}
+
+double LinkSide::most_toward(const LinkSide& receiver) const {
+  const Vec3 d = receiver.center - center;
+  const double distance = glm::length(d), reach = receiver.radius + radius;
+  ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
+  if (distance > reach) cone = {d / distance, std::asin(reach / distance)};
+  return part->share * most_relative_intensity(*part->light, cone);
 }
 
 LinkSide LinkSide::of(const FarView& far, std::uint32_t node, const LinkSide& receiver) {

@@ -51,6 +51,9 @@ struct LinkSide : NodeLight {
   const GroupNode& group() const { return forest->groups()[id.group()]; }
   /// Returns a patch's part in front of the plane; the patch itself where all of it is in front.
   LinkSide before(const Plane& plane) const;
+  /// Of a light: returns an upper bound of its intensity towards the receiver, from anywhere on it
+  /// to anywhere there, per unit of its mean intensity; times the part's share.
+  double most_toward(const LinkSide& receiver) const;
   bool same_node(const LinkSide& o) const { return cluster == o.cluster && id == o.id; }
 
   /// Returns the seed of the random numbers for a pair of sides: a function of their names alone.

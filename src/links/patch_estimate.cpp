@@ -2,6 +2,7 @@
 // errors, and the transport coefficients.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/form_factor.hpp"
 #include "links/error_terms.hpp"
@@ -84,6 +85,15 @@ double beam_unfit(const LinkSide& receiver, const LinkSide& shooter, const Point
   // More than all of the light cannot be misplaced.
   return std::min(corner_share * off / static_cast<double>(shape.vertices.size()),
                   std::max(factor.mean, factor.total));
+}
+
+/// An opening whose points all shine past the patch may light it from between them: it is looked at
+/// in parts while that may matter.
+double unseen_power(const LinkSide& receiver, const LinkSide& shooter) {
+  const double distance = std::max(glm::length(receiver.center - shooter.center), shooter.radius);
+  if (shooter.radius <= 0.0) return 0.0;
+  return shooter.most_toward(receiver) *
+         std::min(4.0 * std::numbers::pi, receiver.area_m2 / (distance * distance));
 }
 
 /// What only a light needs: the exact total, the error of its points, and of a beam the misfit.
@@ -219,8 +229,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double largest = std::max({factor.mean, factor.center, factor.rim, factor.total});
   if (largest <= 0.0) {
     out.invisible = faces_away(receiver, shooter) || (shooter.is_light() && shooter.radius <= 0.0);
-    // An opening whose points shine past the patch is looked at in parts.
-    if (shooter.is_light()) out.variation = factor_bound(receiver, shooter);
+    if (shooter.is_light()) out.variation = unseen_power(receiver, shooter);
     return out;
   }
   const double power = receiver.area_m2 * largest * shooter.light;
@@ -238,6 +247,10 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   samples.unfit = v.unfit + factor.unfit * samples.seen;
   const int terms = receiver.forest->terms();
   out.receiver_error = receiver.area_m2 * receiver_error(samples, terms);
+  if (shooter.is_light() && !(shooter.part->is_point() && !shooter.part->light->distribution)) {
+    // |e - fit| <= e + fit, whatever a near opening brings to single points.
+    out.receiver_error = std::min(out.receiver_error, 2.0 * receiver.area_m2 * factor.total);
+  }
   out.shooter_error =
       visibility_error(receiver.area_m2 * std::max(factor.mean, factor.center), v.uncertainty);
   if (samples.seen <= 0.0) return out;
@@ -249,7 +262,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     out.variation = receiver.area_m2 * samples.fit.mean * std::min(1.0, kernel_variation);
     if (terms == 3) out.variation *= variation_left_by_gradients;
   } else if (shooter.is_light()) {
-    out.variation = receiver.area_m2 * samples.seen * factor.spread;
+    out.variation = receiver.area_m2 * samples.seen * std::min(factor.spread, 2.0 * factor.total);
   } else if (shooter.is_group()) {
     out.variation =
         receiver.area_m2 * samples.seen *

@@ -203,6 +203,19 @@ double IntensityDistribution::most_within(const ViewCone& cone) const {
   return most;
 }
 
+bool IntensityDistribution::is_dark_behind() const {
+  constexpr double right_angle = 0.5 * pi + 1e-9;
+  if (type_ == PhotometryType::c) {
+    // Between the last angle with light and the next one there is light, too.
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      const double most = std::max(ring_most_[k], k > 0 ? ring_most_[k - 1] : 0.0);
+      if (angles_[k] > right_angle && most > 0.0) return false;
+    }
+    return true;
+  }
+  return planes_.front() >= -right_angle && planes_.back() <= right_angle;
+}
+
 /// A cell of the table by its flux, then a direction within it, uniform in solid angle.
 SampledDirection IntensityDistribution::sample(double r1, double r2) const {
   const double pick = r1 * flux_;

@@ -46,6 +46,8 @@ class IntensityDistribution {
   /// from the light; the plane does not contain the light. Exact in gamma, and by Gauss's rule
   /// along the edges to about 1e-5 of it: no beam within the polygon is missed, however narrow.
   double flux_within(std::span<const Vec3> corners) const;
+  /// True where nothing leaves against the aim.
+  bool is_dark_behind() const;
   /// Returns an upper bound (cd) of the intensity within the cone.
   double most_within(const ViewCone& cone) const;
   /// Draws a direction for uniform r1 and r2 in [0, 1).
