@@ -36,7 +36,7 @@ class LightWalk {
     Vec3 n;
     bool emits, dark = false;
   };
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   std::span<const CellPiece> pieces_;
   double offset_m_;
   int max_bounces_;

@@ -58,7 +58,7 @@ constexpr double rounding = 1e-12;
 
 struct PointGather::Impl {
   std::span<const ClusterState> clusters;
-  std::span<const PointLight> lights;
+  std::span<const LightSource> lights;
   const Occluders* occluders;
   PointGatherConfig config;
   EmitterSampler emitters;
@@ -231,8 +231,9 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
   light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
 }
 
-PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
-                         const Occluders& occluders, const PointGatherConfig& config)
+PointGather::PointGather(std::span<const ClusterState> clusters,
+                         std::span<const LightSource> lights, const Occluders& occluders,
+                         const PointGatherConfig& config)
     : impl_(std::make_unique<Impl>(
           Impl{clusters, lights, &occluders, config, EmitterSampler(clusters, occluders),
                clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),

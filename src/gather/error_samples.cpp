@@ -127,7 +127,7 @@ double ErrorSamples::bright_radiosity(const Point& point) const {
   return std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
 }
 
-void ErrorSamples::add(const PointLight& light) {
+void ErrorSamples::add(const LightSource& light) {
   for (Point& point : points_) {
     const std::uint32_t own = occluders_->global(receiver_, point.polygon);
     const double kernel = light_at(light, {point.x, point.n, own}, *occluders_, work_).irradiance;

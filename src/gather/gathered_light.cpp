@@ -6,7 +6,7 @@
 
 namespace enfilade {
 
-GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const LightSource> lights,
                              const BuildingLight* far)
     : receiver_(receiver),
       lights_(lights),

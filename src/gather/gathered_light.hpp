@@ -15,7 +15,7 @@ class GatheredLight {
  public:
   /// `receiver` may get more patches between the calls. All must outlive the object. `far`: null
   /// where no link has a far shooter.
-  GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+  GatheredLight(const PatchForest& receiver, std::span<const LightSource> lights,
                 const BuildingLight* far);
 
   /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light or a far
@@ -42,7 +42,7 @@ class GatheredLight {
   void receive_patch(const Link& link, std::span<const float> transport);
 
   const PatchForest& receiver_;
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const BuildingLight* far_;
   std::size_t bands_, terms_;
   std::vector<double> irradiance_;

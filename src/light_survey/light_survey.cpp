@@ -74,7 +74,7 @@ class Survey {
       emitters_.push_back({power, i, false, nullptr});
       if (surface.two_sided) emitters_.push_back({power, i, true, nullptr});
     }
-    for (const PointLight& light : scene_.lights) {
+    for (const LightSource& light : scene_.lights) {
       const double power = 4.0 * std::numbers::pi * strongest(light.intensity);
       if (power > 0.0) emitters_.push_back({power, RayScene::no_polygon, false, &light});
     }
@@ -173,7 +173,7 @@ LightSources light_sources(const Scene& scene) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
       sources.power[band] += area * surface.exitance[band];
   }
-  for (const PointLight& light : scene.lights) {
+  for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
       sources.power[band] += 4.0 * std::numbers::pi * light.intensity[band];
   }

@@ -58,7 +58,7 @@ class RoughSolution {
   };
   RayHit cast(std::uint32_t polygon, double r2, Random& random) const;
 
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const Occluders& occluders_;
   WorkCount& work_;
   std::vector<Node> nodes_;
@@ -93,7 +93,7 @@ void RoughSolution::emit(int rays) {
     const double power = nodes_[k].area_m2 * nodes_[k].exitance / rays;
     for (int i = 0; i < rays; ++i) arrive(cast(k, (i + random.uniform()) / rays, random), power);
   }
-  for (const PointLight& light : lights_) {
+  for (const LightSource& light : lights_) {
     Random random(size());
     const double power = 4.0 * std::numbers::pi * largest(light.intensity) / rays;
     for (int i = 0; i < rays; ++i) {
@@ -145,7 +145,7 @@ bool RoughSolution::sees_an_emitter(std::uint32_t polygon) const {
     ++work_.rays;
     return !occluders_.rays().occluded(node.center, y, polygon, emitter);
   };
-  for (const PointLight& light : lights_) {
+  for (const LightSource& light : lights_) {
     if (glm::dot(node.n, light.p - node.center) > 0.0 && open(light.p, RayScene::no_polygon))
       return true;
   }

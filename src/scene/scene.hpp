@@ -27,8 +27,6 @@ struct Surface {
   Vec3 up{0.0};  ///< of the distribution, about; 0 for any
 };
 
-using PointLight = LightSource;
-
 /// A place where irradiance is computed: on a plane through p with normal n.
 struct Probe {
   Vec3 p{0.0};
@@ -49,7 +47,7 @@ struct Scene {
   std::vector<std::size_t> band_of;
   ExitanceUnit unit = ExitanceUnit::watt_per_m2;
   std::vector<Surface> surfaces;
-  std::vector<PointLight> lights;
+  std::vector<LightSource> lights;
   std::vector<Probe> probes;
   BuildingData building;   ///< filled by importers alone
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
