@@ -2,20 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace enfilade {
 namespace {
 
 /// Parts are halved while their estimated error is above this share of the light.
 constexpr double least_error = 5e-5;
-/// Parts with a shadow's edge are halved while they bring more than this share.
+/// A part whose points all shine past the place is halved while it may bring more than this share.
+constexpr double least_unseen = 2e-3;
+/// Parts with a shadow's edge are halved while they bring more than this share, and once more where
+/// their points agree: the edge may run beside them.
 constexpr double least_shadow = 4e-3;
+/// A part is halved while its radius is more than this share of the distance: its points and its
+/// middle may agree by chance.
+constexpr double near_share = 0.25;
 constexpr int most_halvings = 14;
 /// An opening is looked at in two parts, or four, where its radius is this share of the distance:
 /// so that an edge of a shadow is noticed.
 constexpr double wide = 0.1, very_wide = 0.3;
 /// Of the light of a part of which some points are hidden: the error that remains.
 constexpr double mixed_error = 0.25;
+/// The same of a part whose points agree beside an edge.
+constexpr double edge_error = 0.1;
+constexpr double pi = std::numbers::pi;
 
 class Opening {
  public:
@@ -24,13 +34,14 @@ class Opening {
 
   LightAtPoint of(const LightSource& light) {
     const LightPart whole = LightPart::whole(light);
+    if (behind(light, whole)) return {};
     const LightKernel kernel = kernel_of(whole, place_.x, place_.n);
     scale_ = std::max(kernel.at, kernel.spread);
     const double distance = glm::length(whole.center - place_.x);
     least_halvings_ = whole.is_point() || whole.radius <= wide * distance ? 0
                       : whole.radius <= very_wide * distance              ? 1
                                                                           : 2;
-    add(whole, kernel, 0);
+    add(whole, kernel, 0, 0);
     return {sum_, std::sqrt(error2_)};
   }
 
@@ -40,13 +51,39 @@ class Opening {
     return !occluders_.rays().occluded(place_.x, y, place_.own, RayScene::no_polygon, place_.start);
   }
 
-  void add(const LightPart& part, const LightKernel& kernel, int halvings) {
+  /// True where the place is behind a light that sends nothing backwards.
+  bool behind(const LightSource& light, const LightPart& whole) const {
+    if (!light.distribution || !light.distribution->is_dark_behind()) return false;
+    const Vec3& aim = light.frame.aim;
+    const Polygon corners = whole.corners();
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const Vec3& y) { return glm::dot(aim, place_.x - y) <= 0.0; });
+  }
+
+  /// True where a beam from between the part's points may meet the place.
+  bool may_shine(const LightPart& part) const {
+    const Vec3 d = place_.x - part.center;
+    const double distance = glm::length(d);
+    if (glm::dot(part.center - place_.x, place_.n) <= -part.radius) return false;  // below it
+    ViewCone cone{Vec3(0.0, 0.0, 1.0), pi};
+    if (distance > part.radius) cone = {d / distance, std::asin(part.radius / distance)};
+    const double nearest = std::max(distance - part.radius, 0.5 * part.radius);
+    const double most =
+        part.share * most_relative_intensity(*part.light, cone) / (nearest * nearest);
+    return most > least_unseen * std::max(scale_, 1.0 / (distance * distance));
+  }
+
+  /// `beside_edge`: how often it is to be halved because it lies beside an edge of a shadow.
+  void add(const LightPart& part, const LightKernel& kernel, int halvings, int beside_edge) {
     const bool may_halve = !part.is_point() && halvings < most_halvings;
-    // Without any light from its points, an opening may still be seen from close by.
     const bool rough = kernel.spread > least_error * scale_ ||
-                       (kernel.at <= 0.0 && scale_ <= 0.0 && halvings < least_halvings_);
-    if (may_halve && (rough || halvings < least_halvings_)) {
-      halve(part, halvings);
+                       (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
+    const bool matters = kernel.at > least_shadow * scale_;
+    const bool near = part.radius > near_share * glm::length(part.center - place_.x) &&
+                      kernel.at > least_error * scale_;
+    if (may_halve &&
+        (rough || near || halvings < least_halvings_ || (beside_edge > 0 && matters))) {
+      halve(part, halvings, beside_edge > 0 ? beside_edge - 1 : 0);
       return;
     }
     double sum = 0.0;
@@ -60,21 +97,26 @@ class Opening {
       sum += one;
     }
     const bool mixed = seen > 0 && seen < count;
-    if (mixed && may_halve && kernel.at > least_shadow * scale_) {
-      halve(part, halvings);
+    if (mixed && may_halve && matters) {
+      edge_ = true;
+      halve(part, halvings, 1);
       return;
     }
     sum_ += sum;
-    const double error = kernel.spread + (mixed ? mixed_error * kernel.at : 0.0);
+    const bool small = edge_ && !matters;
+    const double error = kernel.spread + (mixed   ? mixed_error
+                                          : small ? edge_error
+                                                  : 0.0) *
+                                             kernel.at;
     error2_ += error * error;
   }
 
-  void halve(const LightPart& part, int halvings) {
+  void halve(const LightPart& part, int halvings, int beside_edge) {
     for (const int side : {0, 1}) {
       const LightPart half = part.half(side);
       const LightKernel kernel = kernel_of(half, place_.x, place_.n);
       scale_ = std::max(scale_, kernel.at);
-      add(half, kernel, halvings + 1);
+      add(half, kernel, halvings + 1, beside_edge);
     }
   }
 
@@ -83,6 +125,7 @@ class Opening {
   WorkCount* work_;
   double scale_ = 0.0;  ///< about the whole light that may arrive
   int least_halvings_ = 0;
+  bool edge_ = false;  ///< an edge of a shadow has been met
   double sum_ = 0.0, error2_ = 0.0;
 };
 

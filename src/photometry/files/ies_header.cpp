@@ -215,7 +215,7 @@ std::optional<IesNumbers> take_apart(const NumberList& list, std::size_t first,
       "end",
       fmt::format("holds {} numbers for {} vertical and {} horizontal angles, which need {}", held,
                   stated.vertical, stated.horizontal, stated.numbers()),
-      "get the file again, or correct the counts in its tenth-to-last header line");
+      "get the file again, or correct its numbers of angles");
 }
 
 }  // namespace

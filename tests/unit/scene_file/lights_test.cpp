@@ -89,7 +89,7 @@ TEST_F(SceneLights, LuminaireOfAFileIsKeptInTheScenesText) {
     EXPECT_EQ(copy.lights[i].frame.right, scene.lights[i].frame.right);
   }
   // Another file is another scene.
-  folder_.write("lamp.ies", ies.substr(0, ies.size() - 4) + "1\n");
+  folder_.write("lamp.ies", ies.substr(0, ies.size() - 2) + "1\n");
   const std::string changed = folder_.file("s.json");
   EXPECT_NE(read_scene(changed, warnings_).hash, scene.hash);
 }

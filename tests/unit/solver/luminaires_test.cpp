@@ -43,6 +43,12 @@ LightSource with(const Vec3& p, std::shared_ptr<const IntensityDistribution> dis
   return light;
 }
 
+SolverConfig config_of(double target_error) {
+  SolverConfig config;
+  config.target_error = target_error;
+  return config;
+}
+
 /// Of the power that lights send, the share that a closed room of this reflectance absorbs.
 double absorbed(const LightSource& light, double reflectance, double target,
                 double* estimate = nullptr) {
@@ -52,7 +58,7 @@ double absorbed(const LightSource& light, double reflectance, double target,
   std::vector<Leak> leaks;
   const Prepared prepared = prepare_scene(scene, {}, warnings, leaks);
   const Occluders occluders(prepared.clusters);
-  const Solution solution = solve_sequentially(prepared, occluders, {.target_error = target});
+  const Solution solution = solve_sequentially(prepared, occluders, config_of(target));
   EXPECT_TRUE(solution.converged);
   if (estimate != nullptr) *estimate = solution.error.total();
   return solution.history.back().figures.absorbed_power[0] / (4.0 * pi * 100.0);
@@ -82,7 +88,7 @@ struct Lit {
   Lit(const Scene& scene, double target)
       : prepared(made(scene)),
         occluders(prepared.clusters),
-        solution(solve_sequentially(prepared, occluders, {.target_error = target})) {}
+        solution(solve_sequentially(prepared, occluders, config_of(target))) {}
   static Prepared made(const Scene& scene) {
     Warnings warnings;
     std::vector<Leak> leaks;
