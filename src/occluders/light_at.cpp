@@ -11,8 +11,8 @@ namespace {
 constexpr double least_error = 5e-5;
 /// A part whose points all shine past the place is halved while it may bring more than this share.
 constexpr double least_unseen = 2e-3;
-/// Parts with a shadow's edge are halved while they bring more than this share, and once more where
-/// their points agree: the edge may run beside them.
+/// Parts with a shadow's edge are halved while they bring more than this share, and twice more
+/// where their points agree: the edge may run beside them.
 constexpr double least_shadow = 4e-3;
 /// A part is halved while its radius is more than this share of the distance: its points and its
 /// middle may agree by chance.
@@ -99,7 +99,7 @@ class Opening {
     const bool mixed = seen > 0 && seen < count;
     if (mixed && may_halve && matters) {
       edge_ = true;
-      halve(part, halvings, 1);
+      halve(part, halvings, 2);  // along both sides
       return;
     }
     sum_ += sum;
