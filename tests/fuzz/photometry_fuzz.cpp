@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(flux > 0.0 && std::isfinite(flux));
       fuzz::require(std::isfinite(file.distribution->intensity({0.3, -0.2, 0.7})));
       for (const auto& face : file.opening.faces()) {
-        for (const Vec3& corner : face) fuzz::require(std::isfinite(corner.x + corner.y + corner.z));
+        for (const Vec3& corner : face)
+          fuzz::require(std::isfinite(corner.x + corner.y + corner.z));
       }
     } catch (const InputError&) {
     }

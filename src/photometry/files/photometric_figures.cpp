@@ -16,9 +16,14 @@ double half_beam(const IntensityDistribution& distribution, double plane) {
         {std::sin(gamma) * std::cos(c), std::sin(gamma) * std::sin(c), std::cos(gamma)});
   };
   const double half = 0.5 * at(0.0);
-  double degrees = 0.0;
-  while (degrees < 180.0 && at(degrees + step) >= half) degrees += step;
-  return degrees;
+  double bright = 0.0;
+  while (bright < 180.0 && at(bright + step) >= half) bright += step;
+  double dark = bright + step;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (bright + dark);
+    (at(middle) >= half ? bright : dark) = middle;
+  }
+  return bright;
 }
 
 }  // namespace
