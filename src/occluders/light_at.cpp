@@ -11,9 +11,8 @@ namespace {
 constexpr double least_error = 5e-5;
 /// A part whose points all shine past the place is halved while it may bring more than this share.
 constexpr double least_unseen = 2e-3;
-/// Parts with a shadow's edge are halved while they bring more than this share, and twice more
-/// where their points agree: the edge may run beside them.
-constexpr double least_shadow = 4e-3;
+/// Parts with a shadow's edge are halved while they bring more than this share.
+constexpr double least_shadow = 2e-3;
 /// A part is halved while its radius is more than this share of the distance: its points and its
 /// middle may agree by chance.
 constexpr double near_share = 0.25;
@@ -23,8 +22,6 @@ constexpr int most_halvings = 14;
 constexpr double wide = 0.1, very_wide = 0.3;
 /// Of the light of a part of which some points are hidden: the error that remains.
 constexpr double mixed_error = 0.25;
-/// The same of a part whose points agree beside an edge.
-constexpr double edge_error = 0.1;
 constexpr double pi = std::numbers::pi;
 
 class Opening {
@@ -41,8 +38,15 @@ class Opening {
     least_halvings_ = whole.is_point() || whole.radius <= wide * distance ? 0
                       : whole.radius <= very_wide * distance              ? 1
                                                                           : 2;
-    add(whole, kernel, 0, 0);
-    return {sum_, std::sqrt(error2_)};
+    add(whole, kernel, 0);
+    // Where some see the place and some do not, the edge may run between parts that agree in
+    // themselves: their corners are asked as well.
+    if (any_seen_ && any_hidden_) {
+      with_corners_ = true;
+      sum_ = error2_ = edge_error_ = 0.0;
+      add(whole, kernel, 0);
+    }
+    return {sum_, std::sqrt(error2_) + edge_error_};
   }
 
  private:
@@ -73,17 +77,24 @@ class Opening {
     return most > least_unseen * std::max(scale_, 1.0 / (distance * distance));
   }
 
-  /// `beside_edge`: how often it is to be halved because it lies beside an edge of a shadow.
-  void add(const LightPart& part, const LightKernel& kernel, int halvings, int beside_edge) {
+  /// True where a corner of a part of one polygon is seen and the points are not, or the reverse.
+  bool corners_differ(const LightPart& part, bool seen) const {
+    if (!part.is_one_polygon()) return false;
+    const Polygon corners = part.corners();
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec3& y) {
+      return glm::dot(y - place_.x, place_.n) > 0.0 && open(y) != seen;
+    });
+  }
+
+  void add(const LightPart& part, const LightKernel& kernel, int halvings) {
     const bool may_halve = !part.is_point() && halvings < most_halvings;
     const bool rough = kernel.spread > least_error * scale_ ||
                        (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
     const bool matters = kernel.at > least_shadow * scale_;
     const bool near = part.radius > near_share * glm::length(part.center - place_.x) &&
                       kernel.at > least_error * scale_;
-    if (may_halve &&
-        (rough || near || halvings < least_halvings_ || (beside_edge > 0 && matters))) {
-      halve(part, halvings, beside_edge > 0 ? beside_edge - 1 : 0);
+    if (may_halve && (rough || near || halvings < least_halvings_)) {
+      halve(part, halvings);
       return;
     }
     double sum = 0.0;
@@ -96,27 +107,25 @@ class Opening {
       ++seen;
       sum += one;
     }
-    const bool mixed = seen > 0 && seen < count;
+    any_seen_ |= seen > 0;
+    any_hidden_ |= seen < count;
+    const bool mixed =
+        (seen > 0 && seen < count) || (with_corners_ && matters && corners_differ(part, seen > 0));
     if (mixed && may_halve && matters) {
-      edge_ = true;
-      halve(part, halvings, 2);  // along both sides
+      halve(part, halvings);
       return;
     }
     sum_ += sum;
-    const bool small = edge_ && !matters;
-    const double error = kernel.spread + (mixed   ? mixed_error
-                                          : small ? edge_error
-                                                  : 0.0) *
-                                             kernel.at;
-    error2_ += error * error;
+    error2_ += kernel.spread * kernel.spread;
+    if (mixed) edge_error_ += mixed_error * kernel.at;
   }
 
-  void halve(const LightPart& part, int halvings, int beside_edge) {
+  void halve(const LightPart& part, int halvings) {
     for (const int side : {0, 1}) {
       const LightPart half = part.half(side);
       const LightKernel kernel = kernel_of(half, place_.x, place_.n);
       scale_ = std::max(scale_, kernel.at);
-      add(half, kernel, halvings + 1, beside_edge);
+      add(half, kernel, halvings + 1);
     }
   }
 
@@ -125,8 +134,9 @@ class Opening {
   WorkCount* work_;
   double scale_ = 0.0;  ///< about the whole light that may arrive
   int least_halvings_ = 0;
-  bool edge_ = false;  ///< an edge of a shadow has been met
+  bool any_seen_ = false, any_hidden_ = false, with_corners_ = false;
   double sum_ = 0.0, error2_ = 0.0;
+  double edge_error_ = 0.0;  ///< parts on one edge err alike: a plain sum
 };
 
 }  // namespace
