@@ -49,7 +49,7 @@ struct PointIrradiance {
 /// Refers to the clusters (in order of their ids), lights and occluders, which must outlive it.
 class PointGather {
  public:
-  PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
+  PointGather(std::span<const ClusterState> clusters, std::span<const LightSource> lights,
               const Occluders& occluders, const PointGatherConfig& config);
   ~PointGather();
 

@@ -5,7 +5,8 @@
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
-#include "links/receiver_importance.hpp"
+#include "occluders/light_at.hpp"
+#include "occluders/receiver_importance.hpp"
 
 namespace enfilade {
 namespace {
@@ -128,18 +129,12 @@ double ErrorSamples::bright_radiosity(const Point& point) const {
   return std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
 }
 
-void ErrorSamples::add(const PointLight& light) {
+void ErrorSamples::add(const LightSource& light) {
   for (Point& point : points_) {
-    const Vec3 d = light.p - point.x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, point.n);
-    if (cosine <= 0.0) continue;
-    ++work_->rays;
     const std::uint32_t own = occluders_->global(receiver_, point.polygon);
-    if (occluders_->rays().occluded(point.x, light.p, own)) continue;
+    const double kernel = light_at(light, {point.x, point.n, own}, *occluders_, work_).irradiance;
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b) {
-        half[b] += light.intensity[b] * cosine / (r2 * std::sqrt(r2));
-      }
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += light.intensity[b] * kernel;
     }
   }
 }

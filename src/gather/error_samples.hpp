@@ -48,7 +48,7 @@ class ErrorSamples {
   /// of the far field that may send enough light.
   std::vector<ClusterId> shooters(const FarView& far) const;
   /// Adds the irradiance of the points by a light.
-  void add(const PointLight& light);
+  void add(const LightSource& light);
   /// Adds the irradiance of the points by a cluster; each cluster may be added once.
   void add(const ClusterState& shooter);
   /// Compares the points' irradiance with that of the receiver's patches.

@@ -16,7 +16,7 @@ namespace {
 /// One gather of one receiving cluster, one shooting cluster after the other.
 class Gatherer {
  public:
-  Gatherer(ClusterState& receiver, const Shooters& shooters, std::span<const PointLight> lights,
+  Gatherer(ClusterState& receiver, const Shooters& shooters, std::span<const LightSource> lights,
            const Occluders& occluders, const GatherConfig& config)
       : receiver_(receiver),
         shooters_(shooters),
@@ -61,7 +61,7 @@ class Gatherer {
 
   ClusterState& receiver_;
   const Shooters& shooters_;
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const Occluders& occluders_;
   const GatherConfig& config_;
   std::size_t bands_;
@@ -96,7 +96,7 @@ void Gatherer::gather_lights() {
   if (first_time_) {
     for (std::uint32_t i = 0; i < lights_.size(); ++i) link_root({}, {i, 1});
   }
-  for (const PointLight& light : lights_) samples_.add(light);
+  for (const LightSource& light : lights_) samples_.add(light);
   take_links({}, nullptr, false);
 }
 
@@ -286,7 +286,7 @@ void Gatherer::close_rows() {
 }  // namespace
 
 GatherResult gather(ClusterState& receiver, const Shooters& shooters, const ShooterSource& shooter,
-                    std::span<const PointLight> lights, const Occluders& occluders,
+                    std::span<const LightSource> lights, const Occluders& occluders,
                     const GatherConfig& config) {
   Gatherer gatherer(receiver, shooters, lights, occluders, config);
   gatherer.gather_lights();

@@ -28,13 +28,31 @@ bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double to
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
 }
 
+/// True where all of the receiver lies behind a light that sends nothing backwards, as the ceiling
+/// around a recessed luminaire does: each point of it seen from each point of the opening.
+bool behind_beam(const LinkSide& receiver, const LinkSide& shooter, double tolerance_m) {
+  const LightSource& light = *shooter.part->light;
+  if (!light.distribution || !light.distribution->is_dark_behind()) return false;
+  const Vec3& aim = light.frame.aim;
+  double lowest = glm::dot(aim, shooter.corners[0]);
+  for (const Vec3& corner : shooter.corners) lowest = std::min(lowest, glm::dot(aim, corner));
+  if (receiver.is_patch()) return behind(receiver.corners, lowest * aim, aim, tolerance_m);
+  return highest_distance(receiver.bounds, {aim, lowest}) <= tolerance_m;
+}
+
+double light_bound(const LinkSide& receiver, const LinkSide& shooter, double gap) {
+  const double most = shooter.most_toward(receiver);
+  if (most <= 0.0) return 0.0;
+  return gap > 0.0 ? most * receiver.area_m2 / (gap * gap) : unbounded;
+}
+
 }  // namespace
 
 double LinkEstimator::factor_bound(const LinkSide& receiver, const LinkSide& shooter) {
   const double gap =
       std::max(glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius,
                gap_m(receiver.bounds, shooter.bounds));
-  if (shooter.is_light()) return gap > 0.0 ? receiver.area_m2 / (gap * gap) : unbounded;
+  if (shooter.is_light()) return light_bound(receiver, shooter, gap);
   const double factor =
       gap > 0.0 ? std::min(1.0, shooter.area_m2 / (std::numbers::pi * gap * gap)) : 1.0;
   return receiver.area_m2 * factor;
@@ -59,6 +77,7 @@ bool LinkEstimator::faces_away(const LinkSide& receiver, const LinkSide& shooter
       return true;
     }
   }
+  if (shooter.is_light()) return behind_beam(receiver, shooter, tolerance_m);
   if (shooter.is_patch()) {
     const PolygonFrame& f = shooter.frame();
     if (receiver.is_patch()) return behind(receiver.corners, f.origin, f.n, tolerance_m);
@@ -77,9 +96,7 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
                                 std::span<double> per_polygon) {
   if (shooter.is_light()) {
     ++work_->kernels;
-    const Vec3 d = shooter.center - x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
-    return cosine > 0.0 ? cosine / (r2 * std::sqrt(r2)) : 0.0;
+    return kernel_of(*shooter.part, x, n).at;
   }
   if (shooter.is_patch()) {
     ++work_->form_factors;

@@ -24,12 +24,15 @@ struct LinkEstimate {
 };
 
 /// Form factors from points of a receiving patch to the whole shooter, as if nothing stood between;
-/// from a point light, irradiance per unit of intensity (1/m2).
+/// from a light, irradiance per unit of mean intensity (1/m2).
 struct PointFactors {
   std::array<double, 4> at{};  ///< at PatchShape::quadrature
   double mean = 0.0;           ///< of these four
   double center = 0.0;
   double rim = 0.0;  ///< largest near the corners; 0 where the inner points suffice (not evaluated)
+  double total = -1.0;  ///< the exact mean over the patch, where it is known; else below 0
+  double spread = 0.0;  ///< of a light's part: mean error of its points (LightKernel::spread)
+  double unfit = 0.0;   ///< of a light's beam: mean misfit of the affine fit at the corners
 };
 
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.

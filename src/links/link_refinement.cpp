@@ -9,6 +9,8 @@ constexpr double receiving_group_share = 0.1;
 /// A group shoots as one, where that matters, with at most so many polygons: each costs a form
 /// factor at each of the receiver's points.
 constexpr std::uint32_t most_shooting_polygons = 32;
+/// An opening is halved at most so often.
+constexpr int finest_light_part = 16;
 /// A far node whose power matters shoots as one from at least so many of its radii away.
 constexpr double far_gap = 2.0;
 /// A far node that surrounds or touches the receiver is opened unless its power is below this share
@@ -17,7 +19,7 @@ constexpr double surrounding_share = 0.1;
 
 }  // namespace
 
-LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
+LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const LightSource> lights,
                                const FarView* far, const Occluders& occluders,
                                const RefinementConfig& config, WorkCount& work)
     : receiver_(receiver),
@@ -32,7 +34,7 @@ LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLigh
 LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter,
                                       const LinkSide& receiver) const {
   if (link.is_far()) return LinkSide::of(*far_, link.shooter.group(), receiver);
-  if (link.is_light()) return LinkSide::of(lights_[link.shooter.root], link.shooter.root);
+  if (link.is_light()) return LinkSide::of(lights_[link.shooter.root], link.shooter);
   return LinkSide::of(*shooter, link.shooter_cluster, link.shooter);
 }
 
@@ -46,7 +48,7 @@ NodeLight LinkRefinement::light_of(const Link& link, const PatchForest* shooter)
 }
 
 bool LinkRefinement::can_split(const LinkSide& side) const {
-  if (side.is_light()) return false;
+  if (side.is_light()) return !side.part->is_point() && side.id.path < (1u << finest_light_part);
   if (side.is_group() || side.is_far()) return true;
   return side.id.path < (1u << config_.max_depth) && side.area_m2 > config_.min_area_m2 &&
          side.shape.deviations().y > 0.0;
@@ -90,6 +92,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   if (LinkEstimator::faces_away(receiver, shooter)) return;
   if (receiver.is_patch() && receiver_.patches().unreachable(receiver.id.root)) return;
   const double bound = LinkEstimator::power_bound(receiver, shooter);
+  if (shooter.is_light() && bound <= 0.0) return;  // its beam passes by
   const bool shooter_is_larger = shooter.radius > receiver.radius;
   if (shooter.is_far() && must_open(receiver, shooter, bound)) {
     open(receiver, shooter);

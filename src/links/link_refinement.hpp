@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "links/link_estimate.hpp"
-#include "links/receiver_importance.hpp"
 #include "links/refinement_oracle.hpp"
+#include "occluders/receiver_importance.hpp"
 
 namespace enfilade {
 
@@ -32,7 +32,7 @@ struct RefinementConfig {
 class LinkRefinement {
  public:
   /// `far`: the receiver's view of the far field; null where all shooters are clusters and lights.
-  LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights, const FarView* far,
+  LinkRefinement(ClusterState& receiver, std::span<const LightSource> lights, const FarView* far,
                  const Occluders& occluders, const RefinementConfig& config, WorkCount& work);
 
   /// True where the link's error at the shooter's current light is within the tolerance or cannot
@@ -66,7 +66,7 @@ class LinkRefinement {
   static void describe(Link& link, const LinkSide& shooter, const LinkEstimate& estimate);
 
   ClusterState& receiver_;
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const FarView* far_;
   const RefinementConfig& config_;
   WorkCount& work_;

@@ -91,7 +91,11 @@ LinkVisibility::Target LinkVisibility::target_on(const LinkSide& shooter,
         shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
     return {y, occluders_->global(shooter.cluster, shooter.id.root)};
   }
-  if (!shooter.is_group()) return {shooter.center, RayScene::no_polygon};
+  if (!shooter.is_group()) {
+    if (shooter.part->is_point()) return {shooter.center, RayScene::no_polygon};
+    return {shooter.part->point_in_quarter(quarter, random.uniform(), random.uniform()),
+            RayScene::no_polygon};
+  }
   // A polygon by its share of the group's factor, stratified over the quarters, then a point on it.
   const GroupNode& group = shooter.group();
   double total = 0.0;

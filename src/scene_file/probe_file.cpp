@@ -35,7 +35,7 @@ void write_probe_answers(const ProbeFile& source, const std::string& path,
                                         : json_of_table(source);
   // Where the probes came with a scene, its geometry is no part of the answer.
   document.erase("surfaces");
-  document.erase("lights");
+  for (const char* key : {"lights", "luminaires", "distributions"}) document.erase(key);
   // All light in the answer is in the unit of the run.
   if (document.contains("exitanceUnits")) document["exitanceUnits"] = name_of(unit);
   document["from"] = from;

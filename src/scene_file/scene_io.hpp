@@ -8,8 +8,10 @@
 namespace enfilade {
 
 /// Reads an "enfilade-scene" JSON file (format in scenes/scene.schema.json). Throws InputError that
-/// names the key (surfaces[12].reflectance[1]) or the line of a syntax error.
-Scene read_scene(const std::string& path, Warnings& warnings);
+/// names the key (surfaces[12].reflectance[1]) or the line of a syntax error. Photometric files
+/// that it names must lie in its folder or below, unless `allow_outside`; Scene::text holds them
+/// then.
+Scene read_scene(const std::string& path, Warnings& warnings, bool allow_outside = false);
 /// The same of the text of the file at `path`.
 Scene scene_from(std::string text, const std::string& path, Warnings& warnings);
 /// Lengths are written in metres. Throws RunError where the file cannot be written.

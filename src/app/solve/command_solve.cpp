@@ -65,9 +65,11 @@ void check_local_directory(const std::string& directory) {
 }
 
 /// Empty for a RUN directory that is solved in place.
-SceneSource source_of(const std::string& scene_file) {
+SceneSource source_of(const std::string& scene_file, bool allow_outside) {
   if (scene_file.empty()) return {};
-  return [scene_file](Warnings& warnings) { return read_scene_or_model(scene_file, warnings); };
+  return [scene_file, allow_outside](Warnings& warnings) {
+    return read_scene_or_model(scene_file, warnings, allow_outside);
+  };
 }
 
 /// True where a finished run is asked to go on and no iteration is left, nor a file to write: RUN
@@ -100,9 +102,9 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   prepare_config.cluster_graph = config.topmost() == Hierarchy::clusters;
   RunLock lock;
   report_progress(console.progress(), "reading the scene", 0.0);
-  Prepared prepared =
-      prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
-                      prepare_config, warnings, console.progress(), config.resume, lock);
+  Prepared prepared = prepare_on_root(
+      communicator, source_of(options.scene_file(), options.allow_outside), config.run_directory,
+      prepare_config, warnings, console.progress(), config.resume, lock);
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
   if (nothing_is_left(options, config, prepared, session)) return;

@@ -250,6 +250,8 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   add_method_options(parallel, o);
   add_resource_options(parallel, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_flag("--allow-outside", o.allow_outside,
+               "Read photometric files that the scene names outside its own folder");
   sub.add_flag("--trace", o.trace,
                "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");

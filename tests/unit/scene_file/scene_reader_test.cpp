@@ -126,8 +126,8 @@ TEST_F(SceneReader, FaultsOfTheWholeScene) {
   EXPECT_THAT(fault("{\"version\": 2" + one), HasSubstr("version: is 2"));
   EXPECT_THAT(fault("{\"units\": \"furlong\"" + one), HasSubstr("units: is \"furlong\""));
   EXPECT_THAT(fault("{\"exitanceUnits\": \"lux\"" + one), HasSubstr("exitanceUnits: is \"lux\""));
-  EXPECT_THAT(fault("{\"lights\": [{\"type\": \"spot\", \"p\": [0,0,0], \"intensity\": 1}]" + one),
-              HasSubstr("lights[0].type: is \"spot\""));
+  EXPECT_THAT(fault("{\"lights\": [{\"type\": \"sun\", \"p\": [0,0,0], \"intensity\": 1}]" + one),
+              HasSubstr("lights[0].type: is \"sun\""));
   EXPECT_THAT(fault("{\"lights\": [{\"type\": \"point\", \"p\": [0,0,0]}]" + one),
               HasSubstr("lights[0]: has no \"intensity\""));
   EXPECT_THAT(fault("{\"probes\": [{\"p\": [0,0,0], \"n\": [0,0,0]}]" + one),
