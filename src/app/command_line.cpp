@@ -12,12 +12,13 @@ namespace {
 
 constexpr const char* about =
     "Enfilade: the light in whole buildings, by parallel hierarchical radiosity.\n\n"
-    "The usual way:  import (a model) -> solve (the light) -> render, probe, export, report";
+    "The usual way:  import (a model) -> solve (the light) -> rooms, probe, render, export, report";
 
 constexpr const char* examples =
     "Examples:\n"
     "  enfilade solve scenes/duplex.json -o out/duplex\n"
     "  mpirun -n 4 enfilade solve scenes/duplex.json -o out/duplex --target-error 0.02\n"
+    "  enfilade rooms out/duplex -o rooms.html\n"
     "  enfilade render out/duplex -o living.png\n\n"
     "Each subcommand explains itself: enfilade solve --help\n"
     "Lengths are metres. Light is W/m2, or lm/m2 (lux) where the scene says so.\n"
@@ -56,8 +57,10 @@ void add_subcommands(CLI::App& cli, Command& chosen,
   add_prepare(cli, chosen);
   add_solve(cli);
   add_probe(cli, chosen);
+  add_rooms(cli, chosen);
   add_render(cli, chosen);
   add_export(cli, chosen);
+  add_factors(cli, chosen);
   add_bounds(cli, chosen);
   add_locate(cli, chosen);
   add_plan(cli, chosen);

@@ -1,10 +1,14 @@
 #include "base/run_on_threads.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "base/usable_cores.hpp"
 
 namespace enfilade {
 
@@ -28,6 +32,19 @@ void run_on_threads(int threads, const std::function<void(bool first)>& work) {
     guarded(true);
   }
   if (error) std::rethrow_exception(error);
+}
+
+void for_each_on_threads(std::size_t count, std::string_view phase, const Progress& progress,
+                         const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  const auto cores = static_cast<std::size_t>(usable_cores());
+  run_on_threads(static_cast<int>(std::min(cores, count)), [&](bool reports) {
+    for (std::size_t i = next++; i < count; i = next++) {
+      work(i);
+      if (reports)
+        report_progress(progress, phase, static_cast<double>(i + 1) / static_cast<double>(count));
+    }
+  });
 }
 
 }  // namespace enfilade

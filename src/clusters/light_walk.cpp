@@ -65,12 +65,19 @@ bool LightWalk::sees_light(const Vec3& p, const Vec3& n, Random& random) const {
   const std::size_t count = lights_.size() + emitters_.size();
   if (count == 0) return false;
   const std::size_t i = random.below(count);
-  return i < lights_.size() ? sees_point_light(p, n, lights_[i].p)
+  return i < lights_.size() ? sees_light(p, n, lights_[i], random)
                             : sees_emitter(p, n, emitters_[i - lights_.size()], random);
 }
 
-bool LightWalk::sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light) const {
-  return glm::dot(light - p, n) > 0.0 && !rays_.occluded(p, light);
+bool LightWalk::sees_light(const Vec3& p, const Vec3& n, const LightSource& light,
+                           Random& random) const {
+  Vec3 y = light.p;
+  if (!light.opening.empty()) {
+    const double r1 = random.uniform(), r2 = random.uniform();
+    y = point_on(light, r1, r2);
+  }
+  return glm::dot(y - p, n) > 0.0 && relative_intensity(light, p - y) > 0.0 &&
+         !rays_.occluded(p, y);
 }
 
 bool LightWalk::sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter,

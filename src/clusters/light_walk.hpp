@@ -29,14 +29,14 @@ class LightWalk {
  private:
   bool one_walk(Vec3 p, Vec3 n, Random& random) const;
   bool sees_light(const Vec3& p, const Vec3& n, Random& random) const;
-  bool sees_point_light(const Vec3& p, const Vec3& n, const Vec3& light) const;
+  bool sees_light(const Vec3& p, const Vec3& n, const LightSource& light, Random& random) const;
   bool sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter, Random& random) const;
 
   struct Face {
     Vec3 n;
     bool emits, dark = false;
   };
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   std::span<const CellPiece> pieces_;
   double offset_m_;
   int max_bounces_;

@@ -9,6 +9,7 @@
 #include "final_gather/emitter_sampler.hpp"
 #include "final_gather/point_place.hpp"
 #include "geometry/sampling.hpp"
+#include "occluders/light_at.hpp"
 
 namespace enfilade {
 namespace {
@@ -57,14 +58,15 @@ constexpr double rounding = 1e-12;
 
 struct PointGather::Impl {
   std::span<const ClusterState> clusters;
-  std::span<const PointLight> lights;
+  std::span<const LightSource> lights;
   const Occluders* occluders;
   PointGatherConfig config;
   EmitterSampler emitters;
   std::size_t bands;
   Spectrum mean_irradiance;
 
-  void add_lights(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> share,
+  void add_lights(const LitPlace& place, Spectrum& e, Spectrum& variance) const;
+  void add_lights(const LitPlace& place, std::span<const double> share, Random& random,
                   Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                       const EmitterSampler::ControlVariate& control, Spectrum& variance,
@@ -78,17 +80,28 @@ struct PointGather::Impl {
   double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
 };
 
-void PointGather::Impl::add_lights(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                   std::span<const double> share, Spectrum& e) const {
-  for (const PointLight& light : lights) {
-    const Vec3 d = light.p - p;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
-    if (cosine <= 0.0 ||
-        occluders->rays().occluded(p, light.p, own, RayScene::no_polygon, RayStart::in_air))
-      continue;
+/// Adds the direct light, and to `variance` the square of its error.
+void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum& variance) const {
+  for (const LightSource& light : lights) {
+    const LightAtPoint found = light_at(light, place, *occluders);
     for (std::size_t band = 0; band < bands; ++band) {
-      e[band] += share[band] * light.intensity[band] * cosine / (r2 * std::sqrt(r2));
+      e[band] += light.intensity[band] * found.irradiance;
+      const double error = light.intensity[band] * found.error;
+      variance[band] += error * error;
     }
+  }
+}
+
+/// The same at the end of a path, times the share of each band that the path carries, by one random
+/// point of each light.
+void PointGather::Impl::add_lights(const LitPlace& place, std::span<const double> share,
+                                   Random& random, Spectrum& e) const {
+  for (const LightSource& light : lights) {
+    const double r1 = light.opening.empty() ? 0.0 : random.uniform();
+    const double r2 = light.opening.empty() ? 0.0 : random.uniform();
+    const double kernel = light_by_one_ray(light, place, *occluders, r1, r2);
+    for (std::size_t band = 0; band < bands; ++band)
+      e[band] += share[band] * light.intensity[band] * kernel;
   }
 }
 
@@ -147,7 +160,7 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
     emitters.add_picked(from, frame.n, own, weights, random, carried, e);
-    add_lights(from, frame.n, own, carried, e);
+    add_lights({from, frame.n, own, RayStart::in_air}, carried, random, e);
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
@@ -218,8 +231,9 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
   light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
 }
 
-PointGather::PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
-                         const Occluders& occluders, const PointGatherConfig& config)
+PointGather::PointGather(std::span<const ClusterState> clusters,
+                         std::span<const LightSource> lights, const Occluders& occluders,
+                         const PointGatherConfig& config)
     : impl_(std::make_unique<Impl>(
           Impl{clusters, lights, &occluders, config, EmitterSampler(clusters, occluders),
                clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
@@ -230,23 +244,26 @@ PointGather::~PointGather() = default;
 PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   // Seeded for each point: the answer does not depend on the points before it.
   Random random(impl_->config.seed);
-  PointIrradiance light{Spectrum(impl_->bands, 0.0), Spectrum(impl_->bands, 0.0)};
+  const Spectrum none(impl_->bands, 0.0);
+  PointIrradiance light{none, none, none, none};
   Spectrum& e = light.irradiance;
   const std::uint32_t own = surface_at(*impl_->occluders, p, n);
   const Vec3 x = lifted(*impl_->occluders, p, n);
   Spectrum variance(impl_->bands, 0.0), emitted(impl_->bands, 0.0);
-  impl_->add_lights(x, n, own, std::vector<double>(impl_->bands, 1.0), emitted);
+  impl_->add_lights({x, n, own, RayStart::in_air}, emitted, variance);
   const EmitterSampler::ControlVariate control = impl_->emitters.add_control_variate(
       x, n, own, share_left_to_rays(impl_->config), random, e, variance);
   for (std::size_t b = 0; b < impl_->bands; ++b) e[b] += emitted[b];
   impl_->emitters.add_emitted(control, emitted);
+  light.direct = emitted;
   impl_->add_hemisphere(x, n, own, random, control, variance, light);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
     if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
     const double reflected = std::max(0.0, e[b] - emitted[b]);
-    light.error[b] = std::hypot(
-        std::sqrt(variance[b]),
-        impl_->config.reflected_error * (reflected + share_everywhere * impl_->mean_irradiance[b]));
+    light.noise[b] = std::sqrt(variance[b]);
+    light.error[b] =
+        std::hypot(light.noise[b], impl_->config.reflected_error *
+                                       (reflected + share_everywhere * impl_->mean_irradiance[b]));
   }
   return light;
 }

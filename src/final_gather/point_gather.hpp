@@ -36,6 +36,12 @@ struct PointIrradiance {
   Spectrum irradiance;  ///< per band
   /// Per band, one standard deviation: noise of the rays, and the error of the reflected light.
   Spectrum error;
+  /// Per band, the part of `error` that is noise of the rays: independent from point to point,
+  /// where the error of the reflected light may be common to all points.
+  Spectrum noise;
+  /// Per band, the part of `irradiance` that comes straight from point lights and emitting
+  /// surfaces; without those that give too small a share of it to be integrated in closed form.
+  Spectrum direct;
   double front_share = 0.0;  ///< of the rays, that ended on front sides
   double back_share = 0.0;   ///< of the rays, that ended on back sides
 };
@@ -43,7 +49,7 @@ struct PointIrradiance {
 /// Refers to the clusters (in order of their ids), lights and occluders, which must outlive it.
 class PointGather {
  public:
-  PointGather(std::span<const ClusterState> clusters, std::span<const PointLight> lights,
+  PointGather(std::span<const ClusterState> clusters, std::span<const LightSource> lights,
               const Occluders& occluders, const PointGatherConfig& config);
   ~PointGather();
 

@@ -13,7 +13,7 @@ Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters) {
       for (std::size_t b = 0; b < power.size(); ++b) power[b] += area * exitance[b];
     }
   }
-  for (const PointLight& light : scene.lights) {
+  for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < power.size(); ++b) {
       power[b] += 4.0 * std::numbers::pi * light.intensity[b];
     }

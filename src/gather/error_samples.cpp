@@ -5,6 +5,8 @@
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "occluders/light_at.hpp"
+#include "occluders/receiver_importance.hpp"
 
 namespace enfilade {
 namespace {
@@ -64,13 +66,14 @@ ErrorSamples::ErrorSamples(const ClusterState& receiver, const Occluders& occlud
 void ErrorSamples::place(const ClusterState& receiver) {
   const PatchForest& patches = receiver.patches();
   const auto terms = static_cast<std::size_t>(patches.terms());
+  const ReceiverImportance importance(receiver, *occluders_, config_.importance);
   double next = random_.uniform(), sum = 0.0;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const PatchNode& node = patches.node(i);
     if (!node.leaf() || patches.unreachable(node.id.root) || node.shape.area_m2 <= 0.0) continue;
     const double density =
         config_.per_area + config_.per_power * std::max(0.0, top(patches.irradiance(i), terms));
-    for (sum += node.shape.area_m2 * density; next < sum; next += 1.0) {
+    for (sum += node.shape.area_m2 * density * importance.of(node.id); next < sum; next += 1.0) {
       const PolygonFrame& frame = patches.frames()[node.id.root];
       const double r1 = random_.uniform(), r2 = random_.uniform();
       Point point{node.id.root,
@@ -126,18 +129,12 @@ double ErrorSamples::bright_radiosity(const Point& point) const {
   return std::max(bright_ratio, bright_ratio_per_ray * config_.rays) * least;
 }
 
-void ErrorSamples::add(const PointLight& light) {
+void ErrorSamples::add(const LightSource& light) {
   for (Point& point : points_) {
-    const Vec3 d = light.p - point.x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, point.n);
-    if (cosine <= 0.0) continue;
-    ++work_->rays;
     const std::uint32_t own = occluders_->global(receiver_, point.polygon);
-    if (occluders_->rays().occluded(point.x, light.p, own)) continue;
+    const double kernel = light_at(light, {point.x, point.n, own}, *occluders_, work_).irradiance;
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b) {
-        half[b] += light.intensity[b] * cosine / (r2 * std::sqrt(r2));
-      }
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += light.intensity[b] * kernel;
     }
   }
 }

@@ -24,9 +24,11 @@ struct ErrorSampleConfig {
   /// densest where much light arrives.
   double per_area = 0.0, per_power = 0.0;
   double mean_irradiance = 0.0;  ///< of the whole scene; floors the reference irradiance
+  /// RefinementConfig::importance: points lie denser by it, and count by it.
+  std::span<const float> importance{};
 };
 
-/// Sums over points of the area that each stands for, times irradiance; per band.
+/// Sums over points of the area that each stands for, times importance and irradiance; per band.
 struct ErrorSampleSums {
   Spectrum light;    ///< irradiance of the points
   Spectrum surplus;  ///< irradiance of the points less that of the patches
@@ -46,7 +48,7 @@ class ErrorSamples {
   /// of the far field that may send enough light.
   std::vector<ClusterId> shooters(const FarView& far) const;
   /// Adds the irradiance of the points by a light.
-  void add(const PointLight& light);
+  void add(const LightSource& light);
   /// Adds the irradiance of the points by a cluster; each cluster may be added once.
   void add(const ClusterState& shooter);
   /// Compares the points' irradiance with that of the receiver's patches.
@@ -63,7 +65,7 @@ class ErrorSamples {
   struct Point {
     std::uint32_t polygon;
     Vec3 x, n;
-    double area_m2;                       ///< area that it stands for
+    double area_m2;                       ///< area that it stands for, times its importance
     double irradiance;                    ///< of the patch there, before this gather; largest band
     std::array<Spectrum, 2> light;        ///< irradiance so far, by both halves of the rays
     std::vector<VisibleNode> controlled;  ///< nodes of the present shooter that are in closed form

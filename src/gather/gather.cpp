@@ -16,7 +16,7 @@ namespace {
 /// One gather of one receiving cluster, one shooting cluster after the other.
 class Gatherer {
  public:
-  Gatherer(ClusterState& receiver, const Shooters& shooters, std::span<const PointLight> lights,
+  Gatherer(ClusterState& receiver, const Shooters& shooters, std::span<const LightSource> lights,
            const Occluders& occluders, const GatherConfig& config)
       : receiver_(receiver),
         shooters_(shooters),
@@ -61,7 +61,7 @@ class Gatherer {
 
   ClusterState& receiver_;
   const Shooters& shooters_;
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const Occluders& occluders_;
   const GatherConfig& config_;
   std::size_t bands_;
@@ -96,7 +96,7 @@ void Gatherer::gather_lights() {
   if (first_time_) {
     for (std::uint32_t i = 0; i < lights_.size(); ++i) link_root({}, {i, 1});
   }
-  for (const PointLight& light : lights_) samples_.add(light);
+  for (const LightSource& light : lights_) samples_.add(light);
   take_links({}, nullptr, false);
 }
 
@@ -199,8 +199,9 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
   const std::span<const double> means = light_.means();
   double top = 0.0;
   for (const double mean : means) top = std::max(top, std::abs(mean));
-  result_.figures.link_error_power += link.error * top + link.variation * variation;
-  result_.figures.visibility_uncertainty_power += link.visibility_error() * top;
+  const double importance = refinement_.importance(link.receiver);
+  result_.figures.link_error_power += importance * (link.error * top + link.variation * variation);
+  result_.figures.visibility_uncertainty_power += importance * link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
   std::span<const double> reflected;
@@ -262,10 +263,9 @@ void Gatherer::close_rows() {
     for (std::size_t b = 0; b < bands_; ++b) power[b] -= result_.figures.direct_power[b];
     return power;
   };
-  std::vector<double>& irradiance = light_.irradiance();
   const Spectrum before = reflected_power();
-  RowClosureSums sums =
-      closure_.close(occluders_, config_.flux_correction, result_.figures.work, irradiance);
+  RowClosureSums sums = closure_.close(occluders_, config_.flux_correction, result_.figures.work,
+                                       light_.irradiance());
   result_.figures.uncertain_power = std::move(sums.uncertain_power);
   result_.figures.row_deficit_m2 = sums.deficit_m2;
   result_.figures.row_closed_m2 = sums.closed_m2;
@@ -286,7 +286,7 @@ void Gatherer::close_rows() {
 }  // namespace
 
 GatherResult gather(ClusterState& receiver, const Shooters& shooters, const ShooterSource& shooter,
-                    std::span<const PointLight> lights, const Occluders& occluders,
+                    std::span<const LightSource> lights, const Occluders& occluders,
                     const GatherConfig& config) {
   Gatherer gatherer(receiver, shooters, lights, occluders, config);
   gatherer.gather_lights();

@@ -55,7 +55,7 @@ using ShooterSource = std::function<const ClusterState&(ClusterId)>;
 /// order. No more than two clusters need be in memory at once. Changes the receiver's patches and
 /// links only.
 GatherResult gather(ClusterState& receiver, const Shooters& shooters, const ShooterSource& shooter,
-                    std::span<const PointLight> lights, const Occluders& occluders,
+                    std::span<const LightSource> lights, const Occluders& occluders,
                     const GatherConfig& config);
 
 }  // namespace enfilade

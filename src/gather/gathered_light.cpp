@@ -6,7 +6,7 @@
 
 namespace enfilade {
 
-GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const LightSource> lights,
                              const BuildingLight* far)
     : receiver_(receiver),
       lights_(lights),
@@ -39,10 +39,9 @@ double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
     return far_->deviation(node);
   }
   if (shooter == nullptr) {
-    for (std::size_t b = 0; b < bands_; ++b) {
-      light_[b * terms_] = lights_[link.shooter.root].intensity[b];
-    }
-    return 0.0;
+    const LightSource& light = lights_[link.shooter.root];
+    for (std::size_t b = 0; b < bands_; ++b) light_[b * terms_] = light.intensity[b];
+    return light.opening.empty() ? 0.0 : *std::ranges::max_element(light.intensity);
   }
   if (link.shooter.is_group()) {
     const std::span<const double> mean = shooter->group_radiosity(link.shooter.group());

@@ -15,12 +15,12 @@ class GatheredLight {
  public:
   /// `receiver` may get more patches between the calls. All must outlive the object. `far`: null
   /// where no link has a far shooter.
-  GatheredLight(const PatchForest& receiver, std::span<const PointLight> lights,
+  GatheredLight(const PatchForest& receiver, std::span<const LightSource> lights,
                 const BuildingLight* far);
 
   /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light or a far
-  /// node where that is null. Returns its RMS variation over the shooter (worst band; 0 for a
-  /// light).
+  /// node where that is null. Returns its RMS variation over the shooter (worst band), as
+  /// NodeLight::variation has it.
   double read(const Link& link, const PatchForest* shooter);
   /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
   /// intensity.
@@ -42,7 +42,7 @@ class GatheredLight {
   void receive_patch(const Link& link, std::span<const float> transport);
 
   const PatchForest& receiver_;
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const BuildingLight* far_;
   std::size_t bands_, terms_;
   std::vector<double> irradiance_;

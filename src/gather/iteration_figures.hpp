@@ -16,9 +16,9 @@ namespace enfilade {
 /// number are those of the worst band.
 struct IterationFigures {
   double max_change = 0.0;  ///< max |B(k) - B(k-1)| over patches and bands: the paper's T (§3.3.4)
-  double change_power = 0.0;                  ///< sum of area |B(k) - B(k-1)|
-  double received_power = 0.0;                ///< sum of area * irradiance
-  double link_error_power = 0.0;              ///< sum of the links' estimated errors
+  double change_power = 0.0;      ///< sum of area |B(k) - B(k-1)|
+  double received_power = 0.0;    ///< sum of area * irradiance
+  double link_error_power = 0.0;  ///< sum of the links' estimated errors, each times importance
   double visibility_uncertainty_power = 0.0;  ///< the part of that due to visibility uncertainty
   std::uint64_t patches = 0, links = 0;       ///< their number after the gather
   /// Shooting clusters that a receiver has links with, itself left out, summed over receivers.

@@ -101,7 +101,11 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
   // shooters.
   const std::size_t node = patches.find(link.receiver);
   const double per_m2 = factor > 0.0f ? 1.0 / patches.node(node).shape.area_m2 : 0.0;
-  add(node, {factor, per_m2 * link.error, per_m2 * link.variation * variation, transport[0]}, light,
+  double uncertainty = per_m2 * link.error;
+  // A far link's error is one of its power: where its node sends next to nothing this way, it is
+  // many times the light there, but what is seen of the node is no more uncertain than its factor.
+  if (link.is_far()) uncertainty = std::min(uncertainty, double{factor});
+  add(node, {factor, uncertainty, per_m2 * link.variation * variation, transport[0]}, light,
       reflected);
   if (terms_ == 3 && !link.is_far()) {
     row(node)[1] += transport[3];

@@ -6,25 +6,9 @@ namespace enfilade {
 
 namespace {
 
-/// The frame of a polygon: its origin is the centroid, and its first axis runs along the longest
-/// edge, so that a rectangle is cut along its sides.
 PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
-  PolygonFrame frame;
+  PolygonFrame frame = frame_on(polygon.polygon);
   frame.surface = polygon.surface;
-  frame.origin = centroid(polygon.polygon);
-  frame.n = normal(polygon.polygon);
-  double longest = -1.0;
-  for (std::size_t i = 0; i < polygon.polygon.size(); ++i) {
-    const Vec3 edge = polygon.polygon[(i + 1) % polygon.polygon.size()] - polygon.polygon[i];
-    // Parallel sides that differ by rounding alone must give the same frame: the first one counts.
-    constexpr double clearly_longer = 1.0 + 1e-9;
-    if (glm::length(edge) > longest * clearly_longer) {
-      longest = glm::length(edge);
-      frame.u = edge;
-    }
-  }
-  frame.u = glm::normalize(frame.u - glm::dot(frame.u, frame.n) * frame.n);
-  frame.v = glm::cross(frame.n, frame.u);
   const Surface& surface = scene.surfaces[polygon.surface.index()];
   frame.reflectance.assign(surface.reflectance.begin(), surface.reflectance.end());
   frame.exitance.assign(surface.exitance.begin(), surface.exitance.end());

@@ -7,6 +7,25 @@
 
 namespace enfilade {
 
+PolygonFrame frame_on(const Polygon& polygon) {
+  PolygonFrame frame;
+  frame.origin = centroid(polygon);
+  frame.n = normal(polygon);
+  double longest = -1.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    // Parallel sides that differ by rounding alone must give the same frame: the first one counts.
+    constexpr double clearly_longer = 1.0 + 1e-9;
+    if (glm::length(edge) > longest * clearly_longer) {
+      longest = glm::length(edge);
+      frame.u = edge;
+    }
+  }
+  frame.u = glm::normalize(frame.u - glm::dot(frame.u, frame.n) * frame.n);
+  frame.v = glm::cross(frame.n, frame.u);
+  return frame;
+}
+
 PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands,
                          int terms)
     : bands_(bands), terms_(terms), frames_(std::move(frames)), order_(frames_.size()) {

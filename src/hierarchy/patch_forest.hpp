@@ -43,6 +43,10 @@ struct PolygonFrame {
   Vec2 project(const Vec3& p) const { return {glm::dot(p - origin, u), glm::dot(p - origin, v)}; }
 };
 
+/// Returns the frame on a polygon: its origin is the centroid, and its first axis runs along the
+/// longest edge, so that a rectangle is cut along its sides. Without light and lines.
+PolygonFrame frame_on(const Polygon& polygon);
+
 /// A node of a polygon's binary hierarchy; the two children of a node have consecutive indices.
 struct PatchNode {
   PatchShape shape;

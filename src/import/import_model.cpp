@@ -82,9 +82,11 @@ Scene import_model(const std::string& path, Warnings& warnings) {
   return import_model({path}, {}, warnings);
 }
 
-Scene read_scene_or_model(const std::string& path, Warnings& warnings) {
-  if (reader_for(extension_of(path)) != nullptr) return import_model(path, warnings);
-  return read_scene(path, warnings);
+Scene read_scene_or_model(const std::string& path, Warnings& warnings, bool allow_outside) {
+  if (reader_for(extension_of(path)) == nullptr) return read_scene(path, warnings, allow_outside);
+  ImportOptions options;
+  options.allow_outside = allow_outside;
+  return import_model({path}, options, warnings);
 }
 
 }  // namespace enfilade

@@ -19,6 +19,7 @@ Scene import_model(const std::vector<std::string>& paths, const ImportOptions& o
 Scene import_model(const std::string& path, Warnings& warnings);
 
 /// Reads a scene file, or any model that import_model() takes, by the file's extension.
-Scene read_scene_or_model(const std::string& path, Warnings& warnings);
+/// `allow_outside`: files that it names may lie outside its own folder.
+Scene read_scene_or_model(const std::string& path, Warnings& warnings, bool allow_outside = false);
 
 }  // namespace enfilade

@@ -23,12 +23,12 @@ std::string label_of(const Surface& surface, std::size_t index) {
   return surface.name.empty() ? "surfaces[" + std::to_string(index) + "]" : in_quotes(surface.name);
 }
 
-/// Something that gives light: a convex part of one side of a surface, or a point.
+/// Something that gives light: a convex part of one side of a surface, or a light.
 struct Emitter {
   double power = 0.0;
-  std::uint32_t polygon = RayScene::no_polygon;  ///< none for a point
+  std::uint32_t polygon = RayScene::no_polygon;  ///< none for a light
   bool back = false;                             ///< of a surface that emits from both sides
-  Vec3 p{0.0};
+  const LightSource* light = nullptr;
 };
 
 /// What became of a lamp's light; lamps are objects where surfaces name them.
@@ -71,12 +71,12 @@ class Survey {
       const Surface& surface = scene_.surfaces[surface_of_[i]];
       const double power = strongest(surface.exitance) * area_m2(polygons_[i]);
       if (power <= 0.0) continue;
-      emitters_.push_back({power, i, false, {}});
-      if (surface.two_sided) emitters_.push_back({power, i, true, {}});
+      emitters_.push_back({power, i, false, nullptr});
+      if (surface.two_sided) emitters_.push_back({power, i, true, nullptr});
     }
-    for (const PointLight& light : scene_.lights) {
+    for (const LightSource& light : scene_.lights) {
       const double power = 4.0 * std::numbers::pi * strongest(light.intensity);
-      if (power > 0.0) emitters_.push_back({power, RayScene::no_polygon, false, light.p});
+      if (power > 0.0) emitters_.push_back({power, RayScene::no_polygon, false, &light});
     }
     // The brightest thousand tell enough, and cost no time.
     constexpr std::size_t most = 1024;
@@ -95,23 +95,25 @@ class Survey {
   }
 
   void follow(const Emitter& emitter, std::size_t rays, const RayScene& blockers, Random& random) {
-    const bool point = emitter.polygon == RayScene::no_polygon;
+    const bool point = emitter.light != nullptr;
     const Polygon* polygon = point ? nullptr : &polygons_[emitter.polygon];
     const Vec3 n = point ? Vec3(0.0) : (emitter.back ? -1.0 : 1.0) * normal(*polygon);
     const double close = point ? 0.0 : 0.1 * std::sqrt(area_m2(*polygon));
-    const double power = emitter.power / static_cast<double>(rays);
+    const double of_ray = emitter.power / static_cast<double>(rays);
     for (std::size_t i = 0; i < rays; ++i) {
       // The first number of each direction is stratified.
       const double along = (static_cast<double>(i) + random.uniform()) / static_cast<double>(rays);
       const double turn = random.uniform();
-      Vec3 from = emitter.p;
-      if (!point) {
+      LightRay ray;
+      if (point && emitter.light->opening.empty()) {
+        ray = emitted_ray(*emitter.light, along, turn, 0.0, 0.0);
+      } else {
         const double r1 = random.uniform(), r2 = random.uniform();
-        from = uniform_point(*polygon, r1, r2);
+        ray = point ? emitted_ray(*emitter.light, along, turn, r1, r2)
+                    : LightRay{uniform_point(*polygon, r1, r2), cosine_direction(n, along, turn)};
       }
-      const Vec3 direction =
-          point ? sphere_direction(2.0 * along - 1.0, turn) : cosine_direction(n, along, turn);
-      const RayHit hit = blockers.closest(from, direction, emitter.polygon, 1e30,
+      const double power = of_ray * ray.weight;
+      const RayHit hit = blockers.closest(ray.from, ray.direction, emitter.polygon, 1e30,
                                           point ? RayStart::in_air : RayStart::on_polygon);
       if (!point) {
         LampLight& lamp = lamp_of(surface_of_[emitter.polygon]);
@@ -171,7 +173,7 @@ LightSources light_sources(const Scene& scene) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
       sources.power[band] += area * surface.exitance[band];
   }
-  for (const PointLight& light : scene.lights) {
+  for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
       sources.power[band] += 4.0 * std::numbers::pi * light.intensity[band];
   }

@@ -6,7 +6,7 @@
 // visibility is counted with it.
 #pragma once
 
-#include "links/four_point_fit.hpp"
+#include "hierarchy/four_point_fit.hpp"
 
 namespace enfilade {
 

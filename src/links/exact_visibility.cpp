@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/form_factor.hpp"
-#include "links/four_point_fit.hpp"
+#include "hierarchy/four_point_fit.hpp"
 #include "links/link_visibility.hpp"
 
 namespace enfilade {

@@ -21,7 +21,8 @@ constexpr int few_samples = 1, more_samples = 4, most_samples = 16;
 constexpr double few_share = 0.1, more_share = 4.0;
 /// Standard deviation of a single sample, as a share of the unoccluded power.
 constexpr double one_sample_deviation = 0.5;
-/// Samples that are all hidden: the power of this share of a sample may be visible, by Jeffreys.
+/// Samples that are all hidden, or all turned away: the power (by its bound) of this share of a
+/// sample may arrive, by Jeffreys.
 constexpr double unseen_samples = 0.5;
 /// Error by the change of what a far node sends among its parts, per unit of their deviation.
 constexpr double far_variation = 0.1;
@@ -203,11 +204,12 @@ double facing_area(const LinkSide& receiver, const Vec3& toward) {
 LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSide& shooter,
                                          double tolerance) {
   LinkEstimate out;
+  out.sampled = true;
   const Vec3 d = shooter.center - receiver.center;
   const double distance = glm::length(d);
   const Vec3 toward = distance > 0.0 ? d / distance : Vec3(0.0, 0.0, 1.0);
   FarSampler sampler{receiver, shooter, *occluders_, *work_,
-                     Random(LinkSide::seed_of(receiver, shooter))};
+                     Random(LinkSide::seed_of(receiver, shooter) + draw_)};
   const double bound = power_bound(receiver, shooter);
   const Sums& sums = sampler.sums;
   // By the bound alone: a number of samples that followed from samples would bias their mean.
@@ -221,6 +223,7 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   const double light = std::max(shooter.light, least_light_share * building.most(node));
   double deviation = sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * all;
   if (sums.hidden > 0) deviation = std::max(deviation, unseen_samples * all / sums.samples);
+  if (sums.all <= 0.0) deviation = unseen_samples * bound / (receiver.area_m2 * sums.samples);
   if (light <= 0.0) return out;
   out.shooter_error = receiver.area_m2 * deviation / light;
   out.variation = far_variation * receiver.area_m2 * mean / light;

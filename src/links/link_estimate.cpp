@@ -19,10 +19,31 @@ constexpr double rim_share = 0.05;
 // that differ in distance and visibility. Used only where the power is small (LinkRefinement).
 constexpr double group_error = 0.3, hidden_group_error = 0.1, group_variation_share = 0.3;
 
+/// Added to the seed of rays that are independent of the first ones: any large odd number.
+constexpr std::uint64_t other_draw = 0x9E3779B97F4A7C15ull;
+
 /// All corners on or behind the plane: no light passes between the plane's front and that side.
 bool behind(const Polygon& corners, const Vec3& origin, const Vec3& n, double tolerance_m) {
   return std::all_of(corners.begin(), corners.end(),
                      [&](const Vec3& p) { return glm::dot(n, p - origin) <= tolerance_m; });
+}
+
+/// True where all of the receiver lies behind a light that sends nothing backwards, as the ceiling
+/// around a recessed luminaire does: each point of it seen from each point of the opening.
+bool behind_beam(const LinkSide& receiver, const LinkSide& shooter, double tolerance_m) {
+  const LightSource& light = *shooter.part->light;
+  if (!light.distribution || !light.distribution->is_dark_behind()) return false;
+  const Vec3& aim = light.frame.aim;
+  double lowest = glm::dot(aim, shooter.corners[0]);
+  for (const Vec3& corner : shooter.corners) lowest = std::min(lowest, glm::dot(aim, corner));
+  if (receiver.is_patch()) return behind(receiver.corners, lowest * aim, aim, tolerance_m);
+  return highest_distance(receiver.bounds, {aim, lowest}) <= tolerance_m;
+}
+
+double light_bound(const LinkSide& receiver, const LinkSide& shooter, double gap) {
+  const double most = shooter.most_toward(receiver);
+  if (most <= 0.0) return 0.0;
+  return gap > 0.0 ? most * receiver.area_m2 / (gap * gap) : unbounded;
 }
 
 }  // namespace
@@ -31,7 +52,7 @@ double LinkEstimator::factor_bound(const LinkSide& receiver, const LinkSide& sho
   const double gap =
       std::max(glm::length(receiver.center - shooter.center) - receiver.radius - shooter.radius,
                gap_m(receiver.bounds, shooter.bounds));
-  if (shooter.is_light()) return gap > 0.0 ? receiver.area_m2 / (gap * gap) : unbounded;
+  if (shooter.is_light()) return light_bound(receiver, shooter, gap);
   const double factor =
       gap > 0.0 ? std::min(1.0, shooter.area_m2 / (std::numbers::pi * gap * gap)) : 1.0;
   return receiver.area_m2 * factor;
@@ -56,6 +77,7 @@ bool LinkEstimator::faces_away(const LinkSide& receiver, const LinkSide& shooter
       return true;
     }
   }
+  if (shooter.is_light()) return behind_beam(receiver, shooter, tolerance_m);
   if (shooter.is_patch()) {
     const PolygonFrame& f = shooter.frame();
     if (receiver.is_patch()) return behind(receiver.corners, f.origin, f.n, tolerance_m);
@@ -74,9 +96,7 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
                                 std::span<double> per_polygon) {
   if (shooter.is_light()) {
     ++work_->kernels;
-    const Vec3 d = shooter.center - x;
-    const double r2 = glm::dot(d, d), cosine = glm::dot(d, n);
-    return cosine > 0.0 ? cosine / (r2 * std::sqrt(r2)) : 0.0;
+    return kernel_of(*shooter.part, x, n).at;
   }
   if (shooter.is_patch()) {
     ++work_->form_factors;
@@ -101,9 +121,20 @@ double LinkEstimator::factor_at(const Vec3& x, const Vec3& n, const LinkSide& sh
 LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& shooter,
                                      double tolerance, const Between& among) {
   if (shooter.is_far()) return evaluate_far(receiver, shooter, tolerance);
-  visibility_.begin(among);
+  visibility_.begin(among, draw_);
   return receiver.is_group() ? evaluate_group(receiver, shooter)
                              : evaluate_patch(receiver, shooter, tolerance);
+}
+
+std::array<float, 9> LinkEstimator::kept_transport(const LinkSide& receiver,
+                                                   const LinkSide& shooter, double tolerance,
+                                                   const Between& among,
+                                                   const LinkEstimate& decided) {
+  if (!decided.sampled) return decided.transport;
+  draw_ = other_draw;
+  const LinkEstimate anew = evaluate(receiver, shooter, tolerance, among);
+  draw_ = 0;
+  return anew.transport;
 }
 
 /// The share of a shooter that a receiving group sees, by four rays from points on its polygons,
@@ -111,7 +142,7 @@ LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& s
 double LinkEstimator::seen_by_group(const LinkSide& receiver, const LinkSide& shooter,
                                     std::span<const double> facing, double facing_m2) {
   const GroupNode& group = receiver.group();
-  Random random(LinkSide::seed_of(receiver, shooter));
+  Random random(LinkSide::seed_of(receiver, shooter) + draw_);
   int open = 0;
   for (int ray = 0; ray < 4; ++ray) {
     double pick = facing_m2 * (ray + random.uniform()) / 4.0;
@@ -149,6 +180,7 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     out.receiver_error = rim_share * factor_bound(receiver, shooter);
     return out;
   }
+  out.sampled = true;
   const double seen = seen_by_group(receiver, shooter, facing, facing_m2);
   out.transport = {static_cast<float>(factor * seen), static_cast<float>(toward.x),
                    static_cast<float>(toward.y), static_cast<float>(toward.z)};

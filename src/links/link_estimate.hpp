@@ -20,15 +20,19 @@ struct LinkEstimate {
   double shooter_error = 0.0;   ///< from the uncertainty of the visible share
   double variation = 0.0;       ///< error per unit of the shooter's variation
   bool invisible = false;       ///< certain: no light can arrive
+  bool sampled = false;         ///< by random rays
 };
 
 /// Form factors from points of a receiving patch to the whole shooter, as if nothing stood between;
-/// from a point light, irradiance per unit of intensity (1/m2).
+/// from a light, irradiance per unit of mean intensity (1/m2).
 struct PointFactors {
   std::array<double, 4> at{};  ///< at PatchShape::quadrature
   double mean = 0.0;           ///< of these four
   double center = 0.0;
   double rim = 0.0;  ///< largest near the corners; 0 where the inner points suffice (not evaluated)
+  double total = -1.0;  ///< the exact mean over the patch, where it is known; else below 0
+  double spread = 0.0;  ///< of a light's part: mean error of its points (LightKernel::spread)
+  double unfit = 0.0;   ///< of a light's beam: mean misfit of the affine fit at the corners
 };
 
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.
@@ -43,6 +47,13 @@ class LinkEstimator {
   /// contain these two.
   LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
                         const Between& among);
+  /// Returns the transport of the link that was evaluated last, for a link that is kept. Where rays
+  /// were drawn it is evaluated once more with others: a link whose rays happened to show little is
+  /// kept sooner than one whose rays show much, which is refined and drawn anew; so the rays that
+  /// decided would carry too little light.
+  std::array<float, 9> kept_transport(const LinkSide& receiver, const LinkSide& shooter,
+                                      double tolerance, const Between& among,
+                                      const LinkEstimate& decided);
   /// Returns the polygons between the sides of the link that was evaluated last.
   Between between() const { return visibility_.between(); }
   /// Returns an upper bound of the received power, by distance and size alone.
@@ -65,6 +76,7 @@ class LinkEstimator {
 
   const Occluders* occluders_;
   LinkVisibility visibility_;
+  std::uint64_t draw_ = 0;  ///< added to the seeds of rays
   WorkCount* work_;
   std::vector<double> group_factors_;  ///< per polygon of a shooting group, else empty
   Polygon polygon_;                    ///< scratch

@@ -9,6 +9,8 @@ constexpr double receiving_group_share = 0.1;
 /// A group shoots as one, where that matters, with at most so many polygons: each costs a form
 /// factor at each of the receiver's points.
 constexpr std::uint32_t most_shooting_polygons = 32;
+/// An opening is halved at most so often.
+constexpr int finest_light_part = 16;
 /// A far node whose power matters shoots as one from at least so many of its radii away.
 constexpr double far_gap = 2.0;
 /// A far node that surrounds or touches the receiver is opened unless its power is below this share
@@ -17,7 +19,7 @@ constexpr double surrounding_share = 0.1;
 
 }  // namespace
 
-LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLight> lights,
+LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const LightSource> lights,
                                const FarView* far, const Occluders& occluders,
                                const RefinementConfig& config, WorkCount& work)
     : receiver_(receiver),
@@ -26,12 +28,13 @@ LinkRefinement::LinkRefinement(ClusterState& receiver, std::span<const PointLigh
       config_(config),
       work_(work),
       estimator_(occluders, config.visibility, work),
+      importance_(receiver, occluders, config.importance),
       oracle_(refinement_oracle(config.oracle)) {}
 
 LinkSide LinkRefinement::shooter_side(const Link& link, const PatchForest* shooter,
                                       const LinkSide& receiver) const {
   if (link.is_far()) return LinkSide::of(*far_, link.shooter.group(), receiver);
-  if (link.is_light()) return LinkSide::of(lights_[link.shooter.root], link.shooter.root);
+  if (link.is_light()) return LinkSide::of(lights_[link.shooter.root], link.shooter);
   return LinkSide::of(*shooter, link.shooter_cluster, link.shooter);
 }
 
@@ -45,7 +48,7 @@ NodeLight LinkRefinement::light_of(const Link& link, const PatchForest* shooter)
 }
 
 bool LinkRefinement::can_split(const LinkSide& side) const {
-  if (side.is_light()) return false;
+  if (side.is_light()) return !side.part->is_point() && side.id.path < (1u << finest_light_part);
   if (side.is_group() || side.is_far()) return true;
   return side.id.path < (1u << config_.max_depth) && side.area_m2 > config_.min_area_m2 &&
          side.shape.deviations().y > 0.0;
@@ -60,7 +63,7 @@ bool LinkRefinement::accurate_enough(const Link& link, std::span<const float> tr
   const NodeLight sent = light_of(link, shooter);
   if (!link.evaluated) return sent.light <= 0.0 && sent.variation <= 0.0;
   return oracle_->estimated_error(link, transport, receiver_.patches(), sent) <=
-         config_.link_tolerance;
+         tolerance(link.receiver);
 }
 
 void LinkRefinement::refine(const Link& link, const PatchForest* shooter, LinkSet& kept) {
@@ -76,7 +79,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
                               const PatchForest* shooting, LinkSet& kept) {
   const LinkSide receiver = LinkSide::of(receiver_.patches(), receiver_.id(), link.receiver);
   const LinkSide shooter = shooter_side(link, shooting, receiver);
-  const double tolerance = config_.link_tolerance;
+  const double tolerance = this->tolerance(link.receiver);
   if (shooter.is_far() && !far_->may_see(shooter.id.group())) return;
   const bool dark = shooter.is_far() ? far_->light().is_dark(shooter.id.group())
                                      : shooter.light <= 0.0 && shooter.variation <= 0.0;
@@ -89,6 +92,7 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   if (LinkEstimator::faces_away(receiver, shooter)) return;
   if (receiver.is_patch() && receiver_.patches().unreachable(receiver.id.root)) return;
   const double bound = LinkEstimator::power_bound(receiver, shooter);
+  if (shooter.is_light() && bound <= 0.0) return;  // its beam passes by
   const bool shooter_is_larger = shooter.radius > receiver.radius;
   if (shooter.is_far() && must_open(receiver, shooter, bound)) {
     open(receiver, shooter);
@@ -116,7 +120,8 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
   if (oracle_->estimated_error(link, transport, receiver_.patches(), shooter) <= tolerance) {
-    kept.add(link, transport);
+    const auto anew = estimator_.kept_transport(receiver, shooter, tolerance, among, estimate);
+    kept.add(link, {anew.data(), kept.stride()});
     return;
   }
   bool split_receiver = oracle_->splits_receiver(receiver, shooter, estimate);
@@ -135,8 +140,9 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
 bool LinkRefinement::must_open(const LinkSide& receiver, const LinkSide& shooter,
                                double bound) const {
   const double gap = gap_m(receiver.bounds, shooter.bounds);
-  if (gap <= 0.0) return bound > surrounding_share * config_.link_tolerance;
-  return bound > config_.link_tolerance && gap < far_gap * shooter.radius;
+  const double allowed = tolerance(receiver.id);
+  if (gap <= 0.0) return bound > surrounding_share * allowed;
+  return bound > allowed && gap < far_gap * shooter.radius;
 }
 
 /// Replaces the link to a far node by links to its two halves, or to the cluster that it is.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/clip.hpp"
 
@@ -58,9 +59,10 @@ NodeLight NodeLight::of(const PatchForest& forest, PatchId id) {
   return light_within(forest, node, shape_of(forest, node, id));
 }
 
-NodeLight NodeLight::of(const PointLight& light) {
+NodeLight NodeLight::of(const LightSource& light) {
   NodeLight sent;
   for (const double i : light.intensity) sent.light = std::max(sent.light, i);
+  if (!light.opening.empty()) sent.variation = sent.light;
   return sent;
 }
 
@@ -108,14 +110,24 @@ LinkSide LinkSide::before(const Plane& plane) const {
   return side;
 }
 
-LinkSide LinkSide::of(const PointLight& light, std::uint32_t number) {
+LinkSide LinkSide::of(const LightSource& light, PatchId id) {
   LinkSide side;
-  side.id.root = number;
-  side.corners = {light.p};
-  side.bounds.add(light.p);
-  side.center = light.p;
+  side.id = id;
+  side.part = std::make_shared<const LightPart>(LightPart::of(light, id.path));
+  side.corners = side.part->corners();
+  for (const Vec3& corner : side.corners) side.bounds.add(corner);
+  side.center = side.part->center;
+  side.radius = side.part->radius;
   static_cast<NodeLight&>(side) = NodeLight::of(light);
   return side;
+}
+
+double LinkSide::most_toward(const LinkSide& receiver) const {
+  const Vec3 d = receiver.center - center;
+  const double distance = glm::length(d), reach = receiver.radius + radius;
+  ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
+  if (distance > reach) cone = {d / distance, std::asin(reach / distance)};
+  return part->share * most_relative_intensity(*part->light, cone);
 }
 
 LinkSide LinkSide::of(const FarView& far, std::uint32_t node, const LinkSide& receiver) {

@@ -50,6 +50,7 @@ struct LinkVisibility::QuarterRays {
   }
   PairVisibility one() {
     PairVisibility v;
+    v.sampled = true;
     const int quarter = static_cast<int>(random.below(4));
     v.fill(open(quarter, quarter, nullptr) ? 1.0 : 0.0);
     v.uncertainty = one_ray_uncertainty;
@@ -90,7 +91,11 @@ LinkVisibility::Target LinkVisibility::target_on(const LinkSide& shooter,
         shooter.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
     return {y, occluders_->global(shooter.cluster, shooter.id.root)};
   }
-  if (!shooter.is_group()) return {shooter.center, RayScene::no_polygon};
+  if (!shooter.is_group()) {
+    if (shooter.part->is_point()) return {shooter.center, RayScene::no_polygon};
+    return {shooter.part->point_in_quarter(quarter, random.uniform(), random.uniform()),
+            RayScene::no_polygon};
+  }
   // A polygon by its share of the group's factor, stratified over the quarters, then a point on it.
   const GroupNode& group = shooter.group();
   double total = 0.0;
@@ -141,13 +146,14 @@ PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide&
                    shooter,
                    group_factors,
                    occluders_->global(receiver.cluster, receiver.id.root),
-                   Random(LinkSide::seed_of(receiver, shooter))};
+                   Random(LinkSide::seed_of(receiver, shooter) + draw_)};
   if (power <= one_ray_share * tolerance) return rays.one();
   PairVisibility v;
   std::uint32_t blocker = RayScene::no_polygon;
   const int open_of_four = rays.four(v, blocker);
   const bool agree = open_of_four == 0 || open_of_four == 4;
   if (four_rays_uncertainty * power <= tolerance) {
+    v.sampled = true;
     v.fill(open_of_four / 4.0);
     v.uncertainty = agree ? agreeing_uncertainty : four_rays_uncertainty;
     return v;
@@ -157,6 +163,7 @@ PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide&
     if (proven(receiver, shooter, open_of_four == 4, blocker)) return v;
   }
   const int open = rays.sixteen(v, open_of_four);
+  v.sampled = true;
   v.center = open / 16.0;
   v.uncertainty = uncertainty_of_16(open);
   return v;

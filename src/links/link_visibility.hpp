@@ -28,6 +28,7 @@ struct PairVisibility {
   double uncertainty = 0.0;  ///< of the mean visible share, as a share of the shooter
   /// Mean hidden form factor that the four points do not predict.
   double unfit = 0.0;
+  bool sampled = false;  ///< by random rays
   /// Exact visibility only. partial[k]: point k sees only a part of the shooter. seen_from[k]: the
   /// centroid of this part's light, relative to the shooter's centroid, in the frame of the
   /// shooter's polygon.
@@ -51,8 +52,10 @@ class LinkVisibility {
   using Between = std::shared_ptr<const std::vector<std::uint32_t>>;
 
   /// Begins a pair. `among`: `between` of a pair whose sides contain the new pair's, or null.
-  void begin(const Between& among) {
+  /// `draw`: pairs of the same sides have other rays with another number.
+  void begin(const Between& among, std::uint64_t draw) {
     among_ = among;
+    draw_ = draw;
     all_between_ = false;
   }
   /// Returns the visibility of the shooter from a receiving patch. `group_factors`: form factor of
@@ -101,6 +104,7 @@ class LinkVisibility {
   VisibilityMethod method_;
   WorkCount* work_;
   Between among_;
+  std::uint64_t draw_ = 0;
   std::vector<std::uint32_t> between_;  ///< occluders of the pair at hand
   bool all_between_ = false;            ///< between_ has been searched for, and is complete
   VisibleParts parts_;

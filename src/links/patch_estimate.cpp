@@ -2,6 +2,7 @@
 // errors, and the transport coefficients.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/form_factor.hpp"
 #include "links/error_terms.hpp"
@@ -32,7 +33,7 @@ using PointRows = std::array<std::array<double, 3>, 4>;
 double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& work) {
   if (shooter.is_light()) {
     ++work.form_factors;
-    return solid_angle(shooter.center, receiver.corners);
+    return power_onto(*shooter.part, receiver.corners, receiver.frame().n);
   }
   const PolygonFrame& frame = shooter.frame();
   double sum = 0.0;
@@ -50,13 +51,63 @@ double match_total(const LinkSide& receiver, const LinkSide& shooter, PointFacto
                    WorkCount& work) {
   const bool small = shooter.is_light() || shooter.radius < receiver.radius;
   if (shooter.is_group() || !small) return 0.0;
-  const double exact = power_from(receiver, shooter, work) / receiver.area_m2;
+  const double exact =
+      factor.total >= 0.0 ? factor.total : power_from(receiver, shooter, work) / receiver.area_m2;
   const double missed = std::abs(exact - factor.mean);
   if (factor.mean > 0.0) {
     for (double& f : factor.at) f *= exact / factor.mean;
     factor.mean = exact;
+  } else if (shooter.is_light()) {  // a beam between the points
+    factor.at.fill(exact);
+    factor.mean = exact;
   }
   return missed;
+}
+
+/// What a beam does between the four points and the centre is seen near the corners: the share of
+/// the affine fit's misfit there that is taken as its mean over the patch.
+constexpr double corner_share = 1.0 / 3.0;
+
+/// The mean misfit at the corners of the affine fit to the factors at the four points. For a light
+/// whose intensity depends on the direction.
+double beam_unfit(const LinkSide& receiver, const LinkSide& shooter, const PointFactors& factor) {
+  const PatchShape& shape = receiver.shape;
+  const FourPointFit fit = FourPointFit::of(factor.at);
+  const Vec2 e1 = shape.long_axis(), e2{-e1.y, e1.x}, s = shape.deviations();
+  double off = 0.0;
+  for (const Vec2& vertex : shape.vertices) {
+    const Vec2 d = (1.0 - rim_inset) * (vertex - shape.centroid);
+    const double predicted = fit.mean + (s.x > 0.0 ? fit.slope1 * glm::dot(d, e1) / s.x : 0.0) +
+                             (s.y > 0.0 ? fit.slope2 * glm::dot(d, e2) / s.y : 0.0);
+    const Vec3 x = receiver.frame().at(shape.centroid + d);
+    off += std::abs(kernel_of(*shooter.part, x, receiver.frame().n).at - predicted);
+  }
+  // More than all of the light cannot be misplaced.
+  return std::min(corner_share * off / static_cast<double>(shape.vertices.size()),
+                  std::max(factor.mean, factor.total));
+}
+
+/// An opening whose points all shine past the patch may light it from between them: it is looked at
+/// in parts while that may matter.
+double unseen_power(const LinkSide& receiver, const LinkSide& shooter) {
+  const double distance = std::max(glm::length(receiver.center - shooter.center), shooter.radius);
+  if (shooter.radius <= 0.0) return 0.0;
+  return shooter.most_toward(receiver) *
+         std::min(4.0 * std::numbers::pi, receiver.area_m2 / (distance * distance));
+}
+
+/// What only a light needs: the exact total, the error of its points, and of a beam the misfit.
+void add_light_terms(const LinkSide& receiver, const LinkSide& shooter, PointFactors& factor,
+                     WorkCount& work) {
+  factor.total = power_from(receiver, shooter, work) / receiver.area_m2;
+  const LightPart& part = *shooter.part;
+  const PolygonFrame& frame = receiver.frame();
+  if (!part.is_point()) {
+    for (const Vec2& q : receiver.shape.quadrature())
+      factor.spread += 0.25 * kernel_of(part, frame.at(q), frame.n).spread;
+    factor.spread = std::max(factor.spread, kernel_of(part, receiver.center, frame.n).spread);
+  }
+  if (part.light->distribution) factor.unfit = beam_unfit(receiver, shooter, factor);
 }
 
 /// One point's row from a shooting patch: the point's exact factor e, and the shooter's slopes as
@@ -167,6 +218,7 @@ PointFactors LinkEstimator::point_factors(const LinkSide& receiver, const LinkSi
       factor.rim = std::max(factor.rim, factor_at(x, frame.n, shooter, {}));
     }
   }
+  if (shooter.is_light()) add_light_terms(receiver, shooter, factor, *work_);
   return factor;
 }
 
@@ -174,13 +226,15 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
                                            double tolerance) {
   LinkEstimate out;
   PointFactors factor = point_factors(receiver, shooter);
-  const double largest = std::max({factor.mean, factor.center, factor.rim});
+  const double largest = std::max({factor.mean, factor.center, factor.rim, factor.total});
   if (largest <= 0.0) {
-    out.invisible = faces_away(receiver, shooter);
+    out.invisible = faces_away(receiver, shooter) || (shooter.is_light() && shooter.radius <= 0.0);
+    if (shooter.is_light()) out.variation = unseen_power(receiver, shooter);
     return out;
   }
   const double power = receiver.area_m2 * largest * shooter.light;
   const PairVisibility v = visibility_.of(receiver, shooter, group_factors_, power, tolerance);
+  out.sampled = v.sampled;
   ReceiverSamples samples;
   samples.missed = match_total(receiver, shooter, factor, *work_);
   std::array<double, 4> e = factor.at;  // visible irradiance per radiosity
@@ -191,9 +245,13 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   samples.fit = FourPointFit::of(e);
   samples.center = factor.center * v.center;
   samples.rim = factor.rim;
-  samples.unfit = v.unfit;
+  samples.unfit = v.unfit + factor.unfit * samples.seen;
   const int terms = receiver.forest->terms();
   out.receiver_error = receiver.area_m2 * receiver_error(samples, terms);
+  if (shooter.is_light() && !(shooter.part->is_point() && !shooter.part->light->distribution)) {
+    // |e - fit| <= e + fit, whatever a near opening brings to single points.
+    out.receiver_error = std::min(out.receiver_error, 2.0 * receiver.area_m2 * factor.total);
+  }
   out.shooter_error =
       visibility_error(receiver.area_m2 * std::max(factor.mean, factor.center), v.uncertainty);
   if (samples.seen <= 0.0) return out;
@@ -204,6 +262,8 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
     const double kernel_variation = fill_rows(receiver, shooter, v, rows, *work_);
     out.variation = receiver.area_m2 * samples.fit.mean * std::min(1.0, kernel_variation);
     if (terms == 3) out.variation *= variation_left_by_gradients;
+  } else if (shooter.is_light()) {
+    out.variation = receiver.area_m2 * samples.seen * std::min(factor.spread, 2.0 * factor.total);
   } else if (shooter.is_group()) {
     out.variation =
         receiver.area_m2 * samples.seen *

@@ -58,7 +58,7 @@ class RoughSolution {
   };
   RayHit cast(std::uint32_t polygon, double r2, Random& random) const;
 
-  std::span<const PointLight> lights_;
+  std::span<const LightSource> lights_;
   const Occluders& occluders_;
   WorkCount& work_;
   std::vector<Node> nodes_;
@@ -93,13 +93,16 @@ void RoughSolution::emit(int rays) {
     const double power = nodes_[k].area_m2 * nodes_[k].exitance / rays;
     for (int i = 0; i < rays; ++i) arrive(cast(k, (i + random.uniform()) / rays, random), power);
   }
-  for (const PointLight& light : lights_) {
+  for (const LightSource& light : lights_) {
     Random random(size());
     const double power = 4.0 * std::numbers::pi * largest(light.intensity) / rays;
     for (int i = 0; i < rays; ++i) {
-      const double z = 2.0 * (i + random.uniform()) / rays - 1.0;
+      const double r1 = (i + random.uniform()) / rays, r2 = random.uniform();
+      const double r3 = light.opening.empty() ? 0.0 : random.uniform();
+      const double r4 = light.opening.empty() ? 0.0 : random.uniform();
+      const LightRay ray = emitted_ray(light, r1, r2, r3, r4);
       ++work_.rays;
-      arrive(occluders_.rays().closest(light.p, sphere_direction(z, random.uniform())), power);
+      arrive(occluders_.rays().closest(ray.from, ray.direction), power * ray.weight);
     }
   }
 }
@@ -135,14 +138,14 @@ void RoughSolution::solve() {
   }
 }
 
-/// From its centroid, the place of a point light or the centroid of an emitting polygon.
+/// From its centroid, the middle of a light (wherever that shines) or of an emitting polygon.
 bool RoughSolution::sees_an_emitter(std::uint32_t polygon) const {
   const Node& node = nodes_[polygon];
   const auto open = [&](const Vec3& y, std::uint32_t emitter) {
     ++work_.rays;
     return !occluders_.rays().occluded(node.center, y, polygon, emitter);
   };
-  for (const PointLight& light : lights_) {
+  for (const LightSource& light : lights_) {
     if (glm::dot(node.n, light.p - node.center) > 0.0 && open(light.p, RayScene::no_polygon))
       return true;
   }

@@ -6,6 +6,7 @@
 #include "light_survey/light_survey.hpp"
 #include "preparation/leak_warnings.hpp"
 #include "scene/equal_bands.hpp"
+#include "scene/make_lights.hpp"
 
 namespace enfilade {
 namespace {
@@ -57,6 +58,7 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   PieceReport report;
   const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
   p.covered_area_m2 = report.covered_area_m2;
+  make_lights(p.scene);
   survey_light(p.scene, warnings);
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);

@@ -13,6 +13,7 @@
 #include "run/run_layout.hpp"
 #include "run/run_mark.hpp"
 #include "scene/equal_bands.hpp"
+#include "scene/make_lights.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -185,6 +186,7 @@ Prepared load_prepared(const std::string& run_directory) {
   p.scene = scene_from(read_prepared_file(run_directory, "scene.json", mark),
                        run_directory + "/scene.json", told_before);
   p.scene.text = {};
+  make_lights(p.scene);
   merge_equal_bands(p.scene);
   p.scene.hash = mark.scene_hash;
   p.preparation = mark.preparation();

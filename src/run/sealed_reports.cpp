@@ -1,8 +1,10 @@
 #include "run/sealed_reports.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
+#include <vector>
 
 #include "base/atomic_file.hpp"
 #include "base/checksum.hpp"
@@ -59,10 +61,12 @@ Seal read_seal(const std::string& run_directory) {
 
 }  // namespace
 
-void seal_reports(const std::string& run_directory) {
+void seal_reports(const std::string& run_directory, std::span<const std::string> more) {
   const Manifest manifest = committed_manifest(RunLayout(run_directory));
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
-  for (const char* name : names) {
+  std::vector<std::string> all(names.begin(), names.end());
+  all.insert(all.end(), more.begin(), more.end());
+  for (const std::string& name : all) {
     const std::string path = run_directory + "/" + name;
     if (exists(path)) files[name] = hash_text(checksum(text_of(path)));
   }
@@ -70,6 +74,20 @@ void seal_reports(const std::string& run_directory) {
                         seal(reports_format, {{"run", hash_text(manifest.run)},
                                               {"iteration", manifest.iteration},
                                               {"files", files}}));
+}
+
+bool reports_are_whole(const std::string& run_directory, std::span<const std::string> named) {
+  try {
+    const Seal seal = read_seal(run_directory);
+    return std::ranges::all_of(named,
+                               [&](const std::string& name) { return seal.sums.contains(name); }) &&
+           std::ranges::all_of(seal.sums, [&](const auto& entry) {
+             const std::string path = run_directory + "/" + entry.first;
+             return exists(path) && checksum(text_of(path)) == entry.second;
+           });
+  } catch (const RunError&) {
+    return false;
+  }
 }
 
 std::optional<std::string> read_report(const std::string& run_directory, const std::string& name) {

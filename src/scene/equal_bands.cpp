@@ -11,7 +11,7 @@ bool are_alike(const Scene& scene, std::size_t a, std::size_t b) {
              scene.surfaces,
              [&](const Surface& s) { return same(s.reflectance) && same(s.exitance); }) &&
          std::ranges::all_of(scene.lights,
-                             [&](const PointLight& light) { return same(light.intensity); });
+                             [&](const LightSource& light) { return same(light.intensity); });
 }
 
 Spectrum pick(const Spectrum& values, std::span<const std::size_t> bands) {
@@ -39,7 +39,7 @@ void merge_equal_bands(Scene& scene) {
     s.reflectance = pick(s.reflectance, kept);
     s.exitance = pick(s.exitance, kept);
   }
-  for (PointLight& light : scene.lights) light.intensity = pick(light.intensity, kept);
+  for (LightSource& light : scene.lights) light.intensity = pick(light.intensity, kept);
 }
 
 std::size_t bands_of_file(const Scene& scene) {

@@ -9,11 +9,9 @@
 #include "base/warnings.hpp"
 #include "geometry/polygon.hpp"
 #include "scene/building.hpp"
+#include "scene/light.hpp"
 
 namespace enfilade {
-
-/// One value a spectral band.
-using Spectrum = std::vector<double>;
 
 /// An input polygon, as read: any number of vertices from 3, perhaps not planar or convex.
 struct Surface {
@@ -23,12 +21,10 @@ struct Surface {
   std::string name;      ///< may be empty
   std::string object;    ///< may be empty
   bool two_sided = false;
-};
-
-/// An isotropic point source; intensity per band, W/sr (or lm/sr where the unit is lm/m2).
-struct PointLight {
-  Vec3 p{0.0};
-  Spectrum intensity;
+  /// How the light that it emits is distributed, its aim along the normal; null: as from a dull
+  /// (Lambertian) surface. The exitance is the flux per area all the same.
+  std::shared_ptr<const IntensityDistribution> distribution{};
+  Vec3 up{0.0};  ///< of the distribution, about; 0 for any
 };
 
 /// A place where irradiance is computed: on a plane through p with normal n.
@@ -51,9 +47,9 @@ struct Scene {
   std::vector<std::size_t> band_of;
   ExitanceUnit unit = ExitanceUnit::watt_per_m2;
   std::vector<Surface> surfaces;
-  std::vector<PointLight> lights;
+  std::vector<LightSource> lights;
   std::vector<Probe> probes;
-  BuildingData building;   ///< filled by importers alone
+  BuildingData building;   ///< rooms are read from scene files, the rest comes from importers
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
   std::string text;        ///< the very bytes that were hashed, of a file in our own format
 };

@@ -9,6 +9,8 @@
 #include "json/json_text.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene_file/key_reader.hpp"
+#include "scene_file/light_reader.hpp"
+#include "scene_file/room_reader.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -18,30 +20,44 @@ using nlohmann::json;
 
 /// Keys of the top level. Those of the last two rows describe the building and where the model
 /// comes from; the solver has no use for them. Models are taken with z up, so "up" may say "z".
-constexpr std::array<std::string_view, 20> known_keys{
-    "format", "version", "units",   "surfaces",    "lights",     "probes",   "exitanceUnits",
-    "up",     "rooms",   "doors",   "portals",     "luminaires", "offset_m", "tool",
-    "source", "licence", "license", "attribution", "copyright",  "author"};
+constexpr std::array<std::string_view, 21> known_keys{
+    "distributions", "format", "version", "units",   "surfaces",    "lights",     "probes",
+    "exitanceUnits", "up",     "rooms",   "doors",   "portals",     "luminaires", "offset_m",
+    "tool",          "source", "licence", "license", "attribution", "copyright",  "author"};
 
 class SceneReader {
  public:
-  SceneReader(const std::string& path, Warnings& warnings) : keys_(path), warnings_(warnings) {}
+  SceneReader(const std::string& path, bool allow_outside, Warnings& warnings)
+      : keys_(path), allow_outside_(allow_outside), warnings_(warnings) {}
 
   Scene read(std::string text) {
-    const json document = parse_json(text, keys_.file());
+    json document = parse_json(text, keys_.file());
     scene_.file = keys_.file();
-    scene_.hash = checksum(text);
     read_head(document);
+    DistributionSource distributions(keys_, document, warnings_, allow_outside_);
+    LightReader lights(
+        keys_, distributions, scale_,
+        [this](const Spectrum& light, const std::string& where) { note_bands(light, where); },
+        unknown_, warnings_);
     const json& surfaces = keys_.list(keys_.need(document, "surfaces", "top level"), "surfaces");
     if (surfaces.empty())
       keys_.fail("surfaces", "is an empty list", "a scene needs at least one surface");
     scene_.surfaces.reserve(surfaces.size());
-    for (std::size_t i = 0; i < surfaces.size(); ++i) read_surface(surfaces[i], i);
-    read_lights(document);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      const std::string where = read_surface(surfaces[i], i);
+      if (!surfaces[i].contains("distribution")) continue;
+      lights.read_distribution(document["surfaces"][i], where, scene_.unit, scene_.surfaces.back());
+    }
+    lights.read_lights(document, scene_);
+    lights.read_luminaires(document, scene_);
     scene_.probes = keys_.probes(document, scale_, &unknown_);
+    scene_.building.rooms = read_rooms(keys_, document, scale_, unknown_);
     broadcast();
     check_limits(scene_);
     warn();
+    // A copy of the scene must need no other file, and its hash tell all that it says.
+    if (distributions.changed()) text = document.dump(1);
+    scene_.hash = checksum(text);
     scene_.text = std::move(text);
     return std::move(scene_);
   }
@@ -77,7 +93,8 @@ class SceneReader {
       keys_.fail("exitanceUnits", "is " + in_quotes(unit), "write \"W/m2\" or \"lm/m2\"");
   }
 
-  void read_surface(const json& entry, std::size_t index) {
+  /// Returns where it stands, for messages.
+  std::string read_surface(const json& entry, std::size_t index) {
     Surface surface;
     std::string where = "surfaces[" + std::to_string(index) + "]";
     const json& vertices = keys_.need(entry, "vertices", where);
@@ -96,13 +113,14 @@ class SceneReader {
         surface.object = keys_.text(*it, where + ".object");
       } else if (key == "two_sided") {
         surface.two_sided = keys_.flag(*it, where + ".two_sided");
-      } else if (key != "vertices" && key != "name") {
+      } else if (key != "vertices" && key != "name" && key != "distribution" && key != "up") {
         unknown_.insert("surfaces[]." + key);
       }
     }
     if (surface.reflectance.empty()) warnings_.add(where, "has no reflectance: taken as 0 (black)");
     read_vertices(vertices, where + ".vertices", surface.vertices);
     scene_.surfaces.push_back(std::move(surface));
+    return where;
   }
 
   void read_vertices(const json& vertices, const std::string& where, Polygon& polygon) {
@@ -118,34 +136,6 @@ class SceneReader {
       polygon.push_back(scale_ *
                         (fine ? Vec3(v[0].get<double>(), v[1].get<double>(), v[2].get<double>())
                               : keys_.point(v, where + "[" + std::to_string(i) + "]")));
-    }
-  }
-
-  void read_lights(const json& document) {
-    const auto it = document.find("lights");
-    if (it == document.end()) return;
-    for (std::size_t i = 0; i < keys_.list(*it, "lights").size(); ++i) {
-      const json& entry = (*it)[i];
-      const std::string where = "lights[" + std::to_string(i) + "]";
-      const json& type = keys_.need(entry, "type", where);
-      if (type != "point")
-        keys_.fail(where + ".type", "is " + shown(type) + ", not a known kind", "write \"point\"");
-      for (auto key = entry.begin(); key != entry.end(); ++key) {
-        if (key.key() == "distribution" && *key != "isotropic") {
-          keys_.fail(where + ".distribution", "is " + shown(*key),
-                     "write \"isotropic\", or leave it out");
-        }
-        if (key.key() != "type" && key.key() != "p" && key.key() != "intensity" &&
-            key.key() != "distribution") {
-          unknown_.insert("lights[]." + key.key());
-        }
-      }
-      PointLight light;
-      light.p = keys_.place(keys_.need(entry, "p", where), where + ".p", scale_);
-      light.intensity = keys_.spectrum(keys_.need(entry, "intensity", where), where + ".intensity",
-                                       std::numeric_limits<double>::infinity());
-      note_bands(light.intensity, where + ".intensity");
-      scene_.lights.push_back(std::move(light));
     }
   }
 
@@ -173,7 +163,7 @@ class SceneReader {
       fill(surface.reflectance);
       fill(surface.exitance);
     }
-    for (PointLight& light : scene_.lights) fill(light.intensity);
+    for (LightSource& light : scene_.lights) fill(light.intensity);
   }
 
   void warn() {
@@ -184,6 +174,7 @@ class SceneReader {
   }
 
   KeyReader keys_;
+  bool allow_outside_;
   Warnings& warnings_;
   Scene scene_;
   double scale_ = 1.0;
@@ -193,12 +184,12 @@ class SceneReader {
 
 }  // namespace
 
-Scene read_scene(const std::string& path, Warnings& warnings) {
-  return scene_from(read_bytes(path), path, warnings);
+Scene read_scene(const std::string& path, Warnings& warnings, bool allow_outside) {
+  return SceneReader(path, allow_outside, warnings).read(read_bytes(path));
 }
 
 Scene scene_from(std::string text, const std::string& path, Warnings& warnings) {
-  return SceneReader(path, warnings).read(std::move(text));
+  return SceneReader(path, false, warnings).read(std::move(text));
 }
 
 }  // namespace enfilade

@@ -3,7 +3,10 @@
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
+
+#include "scene/photopic.hpp"
 
 namespace enfilade {
 namespace {
@@ -34,11 +37,19 @@ void append_point(std::string& text, const Vec3& p) {
 void append_spectrum(std::string& text, const Spectrum& s) {
   append_numbers(text, s, static_cast<int>(s.size()));
 }
+void append_key(std::string& text, const char* key, const Vec3& p) {
+  text += std::string(",\"") + key + "\":";
+  append_point(text, p);
+}
+void append_key(std::string& text, const char* key, const Spectrum& s) {
+  text += std::string(",\"") + key + "\":";
+  append_spectrum(text, s);
+}
 void append_text(std::string& text, const ordered_json& value) {
   text += value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-void append_surface(std::string& text, const Surface& surface) {
+void append_surface(std::string& text, const Surface& surface, DistributionNames& names) {
   text += "{\"vertices\":[";
   for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
     if (i > 0) text += ',';
@@ -56,14 +67,63 @@ void append_surface(std::string& text, const Surface& surface) {
     append_text(text, value);
   }
   if (surface.two_sided) text += ",\"two_sided\":true";
+  if (surface.distribution) {
+    text += ",\"distribution\":\"" + names.of(surface.distribution, {}) + "\"";
+    if (surface.up != Vec3(0.0)) append_key(text, "up", surface.up);
+  }
   text += '}';
 }
 
-void append_light(std::string& text, const PointLight& light) {
-  text += "{\"type\":\"point\",\"p\":";
+bool is_luminaire(const LightSource& light) {
+  return (light.distribution && !light.cone) || light.shape.shape != OpeningShape::point;
+}
+
+Spectrum times(const Spectrum& light, double factor) {
+  Spectrum product = light;
+  for (double& band : product) band *= factor;
+  return product;
+}
+
+void append_name(std::string& text, const LightSource& light) {
+  if (light.name.empty()) return;
+  text += ",\"name\":";
+  append_text(text, light.name);
+}
+
+/// A point or a spot light; of the latter the intensity on its axis, and the flux.
+void append_light(std::string& text, const LightSource& light) {
+  text += light.cone ? "{\"type\":\"spot\"" : "{\"type\":\"point\"";
+  append_key(text, "p", light.p);
+  if (light.cone) {
+    append_key(text, "direction", light.frame.aim);
+    append_key(text, "intensity",
+               times(light.intensity, light.distribution->peak() / light.distribution->mean()));
+    text += ",\"innerConeAngle\":";
+    append(text, light.cone->inner);
+    text += ",\"outerConeAngle\":";
+    append(text, light.cone->outer);
+    append_key(text, "flux", times(light.intensity, 4.0 * std::numbers::pi));
+  } else {
+    append_key(text, "intensity", light.intensity);
+  }
+  append_name(text, light);
+  text += '}';
+}
+
+/// Its flux in lumens, whatever the scene's unit.
+void append_lit_luminaire(std::string& text, const LightSource& light, ExitanceUnit unit,
+                          DistributionNames& names) {
+  text += "{\"p\":";
   append_point(text, light.p);
-  text += ",\"intensity\":";
-  append_spectrum(text, light.intensity);
+  append_key(text, "aim", light.frame.aim);
+  append_key(text, "up", light.frame.up);
+  append_key(text, "flux", times(light.intensity, 4.0 * std::numbers::pi / per_lumen(unit)));
+  if (light.distribution) {
+    text += ",\"distribution\":\"" + names.of(light.distribution, light.shape) + "\"";
+  } else {
+    append_key(text, "size", light.shape.size);
+  }
+  append_name(text, light);
   text += '}';
 }
 
@@ -103,6 +163,12 @@ void append_luminaire(std::string& text, const BuildingLuminaire& lamp) {
   append_text(text, entry);
 }
 
+/// An entry of the "luminaires": one that gives light, or a fixture of the building.
+struct Luminaire {
+  const LightSource* light;
+  const BuildingLuminaire* fixture;
+};
+
 // One entry a line: files that people can read and compare.
 template <class Items, class Append>
 void append_list(std::string& text, const char* key, const Items& items, Append append_item) {
@@ -117,7 +183,8 @@ void append_list(std::string& text, const char* key, const Items& items, Append 
 
 }  // namespace
 
-SceneStream::SceneStream(std::string path, ExitanceUnit unit) : file_(std::move(path)) {
+SceneStream::SceneStream(std::string path, ExitanceUnit unit)
+    : file_(std::move(path)), unit_(unit) {
   text_ =
       "{\"format\": \"enfilade-scene\", \"version\": 1, \"units\": \"m\", \"exitanceUnits\": \"";
   text_ += std::string(name_of(unit)) + "\"";
@@ -126,18 +193,33 @@ SceneStream::SceneStream(std::string path, ExitanceUnit unit) : file_(std::move(
 void SceneStream::add(const Surface& surface) {
   text_ += any_surface_ ? ",\n  " : ",\n \"surfaces\": [\n  ";
   any_surface_ = true;
-  append_surface(text_, surface);
+  append_surface(text_, surface, distributions_);
   if (text_.size() >= flush_bytes) flush();
 }
 
-void SceneStream::finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes,
+void SceneStream::finish(const std::vector<LightSource>& lights, const std::vector<Probe>& probes,
                          const BuildingData& building) {
   if (any_surface_) text_ += "\n ]";
-  append_list(text_, "lights", lights, append_light);
+  std::vector<LightSource> plain;
+  std::vector<Luminaire> luminaires;
+  for (const LightSource& light : lights) {
+    if (is_luminaire(light))
+      luminaires.push_back({&light, nullptr});
+    else
+      plain.push_back(light);
+  }
+  for (const BuildingLuminaire& lamp : building.luminaires) luminaires.push_back({nullptr, &lamp});
+  append_list(text_, "lights", plain, append_light);
   append_list(text_, "probes", probes, append_probe);
   append_list(text_, "rooms", building.rooms, append_room);
   append_list(text_, "portals", building.portals, append_portal);
-  append_list(text_, "luminaires", building.luminaires, append_luminaire);
+  append_list(text_, "luminaires", luminaires, [&](std::string& text, const Luminaire& entry) {
+    if (entry.light != nullptr)
+      append_lit_luminaire(text, *entry.light, unit_, distributions_);
+    else
+      append_luminaire(text, *entry.fixture);
+  });
+  distributions_.append_to(text_);
   text_ += "\n}\n";
   flush();
   file_.commit(true);

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.hpp"
 #include "scene/scene.hpp"
+#include "scene_file/distribution_names.hpp"
 
 namespace enfilade {
 
@@ -16,13 +17,15 @@ class SceneStream {
   SceneStream(std::string path, ExitanceUnit unit);
 
   void add(const Surface& surface);
-  void finish(const std::vector<PointLight>& lights, const std::vector<Probe>& probes,
+  void finish(const std::vector<LightSource>& lights, const std::vector<Probe>& probes,
               const BuildingData& building = {});
 
  private:
   void flush();
 
   AtomicFile file_;
+  ExitanceUnit unit_;
+  DistributionNames distributions_;
   std::string text_;  ///< not yet written
   bool any_surface_ = false;
 };

@@ -24,7 +24,7 @@ double lost_power(const IterationFigures& figures, double sent, double correctio
 }  // namespace
 
 Spectrum surfaces_power(const Scene& scene, Spectrum emitted) {
-  for (const PointLight& light : scene.lights) {
+  for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < emitted.size(); ++b) {
       emitted[b] = std::max(0.0, emitted[b] - 4.0 * std::numbers::pi * light.intensity[b]);
     }

@@ -85,10 +85,12 @@ double most_reflected(const IterationFigures& figures) {
                [&](std::size_t b) { return reflected_share(figures, b); });
 }
 
-/// True where both iterations used the same row closure and the same flux correction: only then is
-/// the ratio of their changes an estimate of the contraction factor.
+/// True where the last iteration tightened no tolerance, and used the row closure and the flux
+/// correction of the one before: only then is the ratio of their changes an estimate of the
+/// contraction factor.
 bool comparable(const IterationSummary& last, const IterationSummary& before) {
-  return last.plan.close_rows == before.plan.close_rows &&
+  return last.plan.link_tolerance >= before.plan.link_tolerance &&
+         last.plan.close_rows == before.plan.close_rows &&
          last.plan.flux_correction == before.plan.flux_correction;
 }
 

@@ -22,7 +22,8 @@ ErrorSampleConfig error_samples(const IterationPlan& plan, double area_m2) {
 }  // namespace
 
 GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& settings,
-                           const IterationMethod& method, double area_m2) {
+                           const IterationMethod& method, double area_m2,
+                           std::span<const float> importance) {
   GatherConfig config;
   config.iteration = plan.iteration;
   config.refine = plan.refine;
@@ -30,7 +31,9 @@ GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& sett
   config.close_rows = plan.close_rows;
   config.flux_correction = plan.flux_correction;
   if (plan.sample) config.error_samples = error_samples(plan, area_m2);
+  config.error_samples.importance = importance;
   config.refinement.link_tolerance = plan.link_tolerance;
+  config.refinement.importance = importance;
   config.refinement.renew_far = plan.renew_far;
   config.refinement.max_depth = settings.max_depth;
   config.refinement.min_area_m2 = settings.min_area_m2;

@@ -18,12 +18,16 @@ struct GatherSettings {
   double min_area_m2 = 0.0;  ///< no patch is split below this
   OracleKind oracle = OracleKind::error;
   VisibilityMethod visibility = VisibilityMethod::exact;
+  /// Where errors matter; none = everywhere alike.
+  std::vector<Probe> target_points;
 };
 
 /// Returns the configuration of the gathers of an iteration. `area_m2`: of all clusters; error
-/// samples are spread over it.
+/// samples are spread over it. `importance`: RefinementConfig::importance, which the result refers
+/// to.
 GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& settings,
-                           const IterationMethod& method, double area_m2);
+                           const IterationMethod& method, double area_m2,
+                           std::span<const float> importance);
 
 /// Makes the clusters as they are before the first iteration: one patch per polygon, radiosity =
 /// exitance, no links, unreachable polygons marked. Finding these takes rays, which `work` counts.

@@ -20,8 +20,9 @@ double relative(double power, double received) {
 }
 
 double first_epsilon(const PlanConfig& config) {
+  const double coarser = config.at_points ? config.weights.first_at_points : 1.0;
   return config.epsilon > 0.0 ? config.epsilon
-                              : config.weights.first_epsilon_share * config.target_error;
+                              : coarser * config.weights.first_epsilon_share * config.target_error;
 }
 
 /// Returns the bound of the changes by later iterations below which iterations end.
@@ -190,8 +191,10 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
                                          config.weights.iteration_share * config.target_error);
   const Observation seen = observe(history, plan, config);
   // Where little is absorbed, much more power arrives than is emitted, and errors are relative to
-  // the arriving power.
-  if (!seen.light_is_everywhere && config.epsilon <= 0.0) {
+  // the arriving power. Once errors have been sampled, they tell how fine links must be.
+  const bool sampled = std::any_of(history.begin(), history.end(),
+                                   [](const IterationSummary& i) { return i.plan.sample; });
+  if (!seen.light_is_everywhere && !sampled && config.epsilon <= 0.0) {
     plan.link_tolerance =
         first_epsilon(config) * std::max(worst_band(config.emitted_power),
                                          last.figures.received_power + last.missing_power);

@@ -56,6 +56,9 @@ struct PlanWeights {
   /// First link tolerance over emitted power, as a share of the target error. Coarse on purpose:
   /// sampling shows links that are too coarse, and refinement is never undone.
   double first_epsilon_share = 2.5e-3;
+  /// The same is so many times coarser where errors count at points alone: importance makes links
+  /// finer by itself where they matter.
+  double first_at_points = 4.0;
   /// Share of the target error that is left to the iterations; also the floor of the flux
   /// correction.
   double iteration_share = 0.02;
@@ -92,6 +95,7 @@ struct PlanConfig {
   std::uint64_t patch_links = 0;  ///< with more links than this, target_error applies only to
                                   ///< final-gathered light; 0 = never
   int max_iterations = 200;
+  bool at_points = false;  ///< errors count by their importance to points
   PlanWeights weights{};
 };
 

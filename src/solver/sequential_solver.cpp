@@ -7,6 +7,7 @@
 #include "gather/emitted_power.hpp"
 #include "gather/gather.hpp"
 #include "solver/energy_conservation.hpp"
+#include "solver/importance.hpp"
 
 namespace enfilade {
 namespace {
@@ -27,6 +28,8 @@ class Solver {
     WorkCount work;
     const InitialClusters initial(prepared.scene, prepared.clusters, occluders, unknowns_,
                                   config.gather.basis, work);
+    importance_ = importance_to(config.gather.target_points, prepared.scene, prepared.clusters,
+                                occluders, work);
     for (std::size_t i = 0; i < prepared.clusters.size(); ++i) {
       solution_.clusters.push_back(initial.make(ClusterId(i)));
       area_m2_ += prepared.clusters[i].area_m2;
@@ -64,6 +67,7 @@ class Solver {
   BuildingField field_;
   std::size_t bands_;
   double area_m2_ = 0.0;
+  std::vector<float> importance_;
   Solution solution_;
   Clock::time_point start_ = Clock::now();
 };
@@ -80,7 +84,8 @@ GatherResult Solver::gather(ClusterState& receiver, std::span<const ClusterState
 }
 
 IterationPlan Solver::iterate(const IterationPlan& plan) {
-  const GatherConfig config = gather_config(plan, config_.gather, config_.method, area_m2_);
+  const GatherConfig config =
+      gather_config(plan, config_.gather, config_.method, area_m2_, importance_);
   std::vector<ClusterState> committed;
   const bool jacobi = config_.method.uses_jacobi(plan, unknowns_);
   if (jacobi) {
@@ -128,6 +133,7 @@ PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
   plan.target_error = config.target_error;
   plan.patch_links = config.most_patch_links();
   plan.max_iterations = config.max_iterations;
+  plan.at_points = !config.gather.target_points.empty();
   return plan;
 }
 

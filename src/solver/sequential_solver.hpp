@@ -30,7 +30,9 @@ struct SolverConfig {
   IterationMethod method;
   Hierarchy hierarchy = Hierarchy::building;
 
+  /// Values read off patches do not count where only the light at points does.
   std::uint64_t most_patch_links() const {
+    if (!gather.target_points.empty()) return 1;
     return patch_links.value_or(default_patch_links(target_error));
   }
 };

@@ -69,6 +69,13 @@ Scene lit_rooms() {
   }
   add_quad(scene, "lamp", {0.1, 100.0}, {2, 1.5, 2.45}, {2, 2.5, 2.45}, {3, 2.5, 2.45},
            {3, 1.5, 2.45});
+  // A leaning luminaire with an opening in the other room.
+  LightSource luminaire{{6.0, 1.8, 2.3}, {3.0}};
+  luminaire.distribution = std::make_shared<const IntensityDistribution>(IntensityTable{
+      PhotometryType::c, {0, 90, 180}, {0, 30, 60, 90}, {9, 8, 5, 0, 9, 6, 3, 0, 9, 4, 1, 0}});
+  luminaire.frame = LightFrame::of({0.2, 0.1, -1.0}, {0.0, 1.0, 0.0}).value();
+  luminaire.shape = {OpeningShape::rectangle, {0.6, 0.3, 0.0}};
+  scene.lights.push_back(luminaire);
   return scene;
 }
 

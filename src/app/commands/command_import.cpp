@@ -6,7 +6,9 @@
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "import/import_model.hpp"
+#include "import/luminaire_files.hpp"
 #include "light_survey/light_survey.hpp"
+#include "scene/photopic.hpp"
 #include "scene_file/scene_io.hpp"
 
 namespace enfilade {
@@ -17,7 +19,8 @@ constexpr SubcommandText help_text{
     "import", "Make a scene file from a glTF, OBJ, IFC or Radiance model",
     "Examples:\n  enfilade import house.glb -o house.json\n"
     "  enfilade import plan.obj --units mm --up z -o plan.json\n"
-    "  enfilade import materials.rad room.rad -o room.json\n\n"
+    "  enfilade import materials.rad room.rad -o room.json\n"
+    "  enfilade import house.ifc --luminaires photometry -o house.json\n\n"
     "Lengths are metres with y up (glTF, OBJ) or z up (Radiance), unless --units and --up tell\n"
     "otherwise; IFC names its own. Base colour becomes reflectance, emission becomes exitance:\n"
     "lm/m2 where the model has luminances (glTF, OBJ), W/m2 of a Radiance model's radiances.\n"
@@ -28,7 +31,11 @@ constexpr SubcommandText help_text{
     "windows\n"
     "and bare openings \"portals\", light fixtures \"luminaires\", and point lights where their "
     "flux\n"
-    "is told.\n\n"
+    "is told. With --luminaires a folder's photometric files (.ies, .ldt) give lamps their real\n"
+    "distribution: the file that bears the name of the lamp's type, whatever its case and signs.\n"
+    "A flux that the model tells scales the file's. Spot lights of glTF, and what ies2rad makes "
+    "of\n"
+    "a photometric file, keep their distribution.\n\n"
     "Radiance (.rad): polygons, rings, cylinders, cones, cups, tubes, spheres and bubbles with "
     "the\n"
     "diffuse part of their materials, reflecting on both sides and emitting from the front. Round\n"
@@ -41,7 +48,7 @@ constexpr SubcommandText help_text{
 
 struct ImportCommandOptions {
   std::vector<std::string> models;
-  std::string output, doors = "closed";
+  std::string output, doors = "closed", luminaires;
   ImportOptions reading;
 };
 
@@ -64,7 +71,9 @@ void run_import(const ImportCommandOptions& options, const Console& console) {
   Warnings warnings;
   ImportOptions reading = options.reading;
   reading.open_doors = options.doors == "open";
-  const Scene scene = import_model(options.models, reading, warnings);
+  Scene scene = import_model(options.models, reading, warnings);
+  LuminaireMatches matches;
+  if (!options.luminaires.empty()) matches = match_luminaires(scene, options.luminaires, warnings);
   Box box;
   for (const Surface& surface : scene.surfaces) box.add(bounds(surface.vertices));
   warn_of_size(box.extent(), warnings);
@@ -77,15 +86,20 @@ void run_import(const ImportCommandOptions& options, const Console& console) {
   table.add("surfaces", with_thousands(scene.surfaces.size()));
   table.add("extent", extent_of(box.extent()));
   table.add("emitting surfaces", with_thousands(sources.surfaces));
-  table.add("point lights", with_thousands(scene.lights.size()));
+  table.add("lights", with_thousands(scene.lights.size()));
   table.add("emitted",
             fmt::format("{:.4g} {}", fmt::join(sources.power, ", "), lumen ? "lm" : "W"));
+  table.add("luminous flux", fmt::format("{:.5g} lm", photopic(sources.power, scene.unit)));
   table.add("bands", std::to_string(scene.bands));
   const BuildingData& building = scene.building;
   if (!building.rooms.empty()) table.add("rooms", with_thousands(building.rooms.size()));
   if (!building.portals.empty()) table.add("portals", with_thousands(building.portals.size()));
   if (!building.luminaires.empty())
     table.add("luminaires", with_thousands(building.luminaires.size()));
+  if (!options.luminaires.empty()) {
+    table.add("photometric files", with_thousands(matches.files));
+    table.add("lamps matched", fmt::format("{} of {}", matches.matched, matches.lamps));
+  }
   console.print(table.text());
 }
 
@@ -108,6 +122,8 @@ void add_options(CLI::App& sub, ImportCommandOptions& o) {
                  "Doors of an IFC model: closed, or open (without their leaves)")
       ->check(CLI::IsMember({"closed", "open"}))
       ->capture_default_str();
+  sub.add_option("--luminaires", o.luminaires,
+                 "Folder of photometric files (.ies, .ldt), named after the types of lamps");
   sub.add_flag("--allow-outside", o.reading.allow_outside,
                "Read files that the model names outside its own folder");
 }

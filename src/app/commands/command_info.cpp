@@ -1,4 +1,4 @@
-// enfilade info: the figures of a scene, or of a run.
+// enfilade info: the figures of a scene, of a run, or of a photometric file.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,12 +6,15 @@
 #include <set>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/photometric_info.hpp"
 #include "app/commands/prepared_figures.hpp"
 #include "app/frame/shown_value.hpp"
 #include "import/import_model.hpp"
+#include "photometry/files/photometric_file.hpp"
 #include "run/leak_file.hpp"
 #include "run/stats_json.hpp"
 #include "scene/equal_bands.hpp"
+#include "scene/photopic.hpp"
 #include "scene/scene_limits.hpp"
 
 namespace enfilade {
@@ -19,15 +22,22 @@ namespace enfilade {
 namespace {
 
 constexpr SubcommandText help_text{
-    "info", "Print the figures of a scene or of a RUN directory",
-    "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex"};
+    "info",
+    "Print the figures of a scene, of a RUN directory, or of a luminaire's photometric file",
+    "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex\n"
+    "  enfilade info downlight.ies\n\n"
+    "Photometric files are IES LM-63 (.ies, all editions) and EULUMDAT (.ldt): their flux is the\n"
+    "integral of their intensities, with all factors of the file. What such a file says wrong and "
+    "is\n"
+    "clear is read with a warning."};
 
 std::string shown(const Spectrum& spectrum, const char* unit) {
   return fmt::format("{:.4g} {}", fmt::join(spectrum, ", "), unit);
 }
 
 struct InfoOptions {
-  std::string input;  ///< scene file or RUN directory
+  std::string input;  ///< scene file, RUN directory or photometric file
+  bool allow_outside = false;
 };
 
 struct SceneFigures {
@@ -56,12 +66,25 @@ SceneFigures measure(const Scene& scene) {
     }
     if (emits) ++figures.emitting;
   }
-  for (const PointLight& light : scene.lights) {
+  for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < bands; ++band) {
       figures.emitted[band] += 4.0 * glm::pi<double>() * light.intensity[band];
     }
   }
   return figures;
+}
+
+void add_lights(TextTable& table, const Scene& scene) {
+  std::size_t spots = 0, luminaires = 0;
+  for (const LightSource& light : scene.lights) {
+    if (light.cone)
+      ++spots;
+    else if (light.distribution)
+      ++luminaires;
+  }
+  table.add("point lights", with_thousands(scene.lights.size() - spots - luminaires));
+  if (spots > 0) table.add("spot lights", with_thousands(spots));
+  if (luminaires > 0) table.add("luminaires", with_thousands(luminaires));
 }
 
 void add_scene(TextTable& table, const Scene& scene) {
@@ -71,22 +94,25 @@ void add_scene(TextTable& table, const Scene& scene) {
   table.add("surfaces", with_thousands(scene.surfaces.size()));
   table.add("objects", with_thousands(figures.objects.size()));
   table.add("emitting surfaces", with_thousands(figures.emitting));
-  table.add("point lights", with_thousands(scene.lights.size()));
+  add_lights(table, scene);
   table.add("probes", with_thousands(scene.probes.size()));
   table.add("bands", std::to_string(bands_of_file(scene)));
   table.add("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x, extent.y, extent.z));
   table.add("area", fmt::format("{:.6g} m2", figures.area_m2));
   table.add("mean reflectance", shown(in_bands_of_file(scene, figures.reflected_m2), ""));
-  table.add("emitted", shown(in_bands_of_file(scene, figures.emitted),
-                             scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+  const Spectrum emitted = in_bands_of_file(scene, figures.emitted);
+  table.add("emitted", shown(emitted, scene.unit == ExitanceUnit::lumen_per_m2 ? "lm" : "W"));
+  table.add("luminous flux", fmt::format("{:.5g} lm", photopic(emitted, scene.unit)));
 }
 
 void run_info(const InfoOptions& options, const Console& console) {
   const std::string& input = options.input;
   TextTable table(input);
-  if (std::error_code code; !std::filesystem::is_directory(input, code)) {
+  if (is_photometric_file(input)) {
+    add_photometric_file(table, input, console);
+  } else if (std::error_code code; !std::filesystem::is_directory(input, code)) {
     Warnings warnings;
-    const Scene scene = read_scene_or_model(input, warnings);
+    const Scene scene = read_scene_or_model(input, warnings, options.allow_outside);
     check_limits(scene);
     add_scene(table, scene);
     console.warnings(warnings);
@@ -105,7 +131,10 @@ void run_info(const InfoOptions& options, const Console& console) {
 }
 
 void add_options(CLI::App& sub, InfoOptions& o) {
-  sub.add_option("input", o.input, "Scene file or RUN directory")->required();
+  sub.add_option("input", o.input, "Scene file, RUN directory, or photometric file (.ies, .ldt)")
+      ->required();
+  sub.add_flag("--allow-outside", o.allow_outside,
+               "Read photometric files that a scene names outside its own folder");
 }
 
 }  // namespace

@@ -22,14 +22,14 @@ constexpr SubcommandText help_text{
 
 struct PrepareOptions {
   std::string scene, run;
-  bool pictures = true;
+  bool pictures = true, allow_outside = false;
   bool prove_hidden = true;
   std::string hierarchy = "building";
 };
 
 void run_prepare(const PrepareOptions& options, const Console& console) {
   Warnings warnings;
-  const Scene scene = read_scene_or_model(options.scene, warnings);
+  const Scene scene = read_scene_or_model(options.scene, warnings, options.allow_outside);
   RunLock lock;
   PrepareConfig config;
   config.visibility.prove_hidden = options.prove_hidden;
@@ -68,6 +68,8 @@ void add_options(CLI::App& sub, PrepareOptions& o) {
   sub.add_flag("!--no-proof", o.prove_hidden,
                "Find the pairs of clusters, and keep those that could be proved hidden by what "
                "stands between: several times as fast, up to twice the pairs");
+  sub.add_flag("--allow-outside", o.allow_outside,
+               "Read photometric files that the scene names outside its own folder");
   sub.add_flag("!--no-pictures", o.pictures, "Draw no plans of the storeys into RUN/pictures");
 }
 

@@ -17,7 +17,12 @@ constexpr SubcommandText help_text{
     "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
     "irradiance\n"
     "on a plane through p with normal n, per band, in the unit that the answer names; error is\n"
-    "one standard deviation of it: noise of the rays, and the estimated error of the solution."};
+    "one standard deviation of it: noise of the rays, and the estimated error of the solution.\n\n"
+    "desks.csv will do as well: x,y,z or x,y,z,nx,ny,nz on each line, in metres, with or without "
+    "a\n"
+    "header; without normals they point up, and further columns are kept. An answer that ends in "
+    ".csv\n"
+    "has E and error as further columns (E_0, E_1, ... of several bands)."};
 
 struct ProbeOptions {
   std::string run, points, output, from = "gather";
@@ -49,8 +54,9 @@ void run_probe(const ProbeOptions& options, const Console& console) {
 
 void add_options(CLI::App& sub, ProbeOptions& o) {
   sub.add_option("run", o.run, "RUN directory that solve has filled")->required();
-  sub.add_option("--points", o.points, "Probe file (JSON)")->required();
-  sub.add_option("-o,--output", o.output, "File to write: the same with \"E\" at each probe")
+  sub.add_option("--points", o.points, "Probe file (.json or .csv)")->required();
+  sub.add_option("-o,--output", o.output,
+                 "File to write, .json or .csv: the same with E and error at each probe")
       ->required();
   sub.add_option(
          "--from", o.from,

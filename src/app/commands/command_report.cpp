@@ -14,14 +14,17 @@ namespace {
 constexpr SubcommandText help_text{
     "report", "Make one page about one run, or about several side by side",
     "Example:\n  enfilade report out/fine out/coarse -o compare.html\n\n"
-    "The page has pictures, plans coloured by rank, the error over the iterations, and where the "
+    "The page begins with the light in each room (as 'enfilade rooms' finds it, without "
+    "cylindrical\n"
+    "illuminance). Pictures, plans coloured by rank, the error over the iterations, and where the "
     "time\n"
-    "went on each rank. With several runs a table that compares them comes first."};
+    "went on each rank follow. With several runs a table that compares them comes first. Pictures\n"
+    "that the solve has made are taken as they are."};
 
 struct ReportOptions {
   std::vector<std::string> runs;
   std::string output;
-  bool pictures = true;
+  bool pictures = true, rooms = true;
 };
 
 void run_report(const ReportOptions& options, const Console& console) {
@@ -32,7 +35,7 @@ void run_report(const ReportOptions& options, const Console& console) {
     lock.read(directory);
     const SolvedRun run(directory);
     pages.push_back(
-        make_run_page(directory, run.solved_scene(), options.pictures, console.progress()));
+        make_run_page({directory, options.pictures, options.rooms}, run, console.progress()));
   }
   const std::string html = report_html(pages);
   write_file_atomically(options.output, html);
@@ -46,6 +49,8 @@ void add_options(CLI::App& sub, ReportOptions& o) {
   sub.add_option("runs", o.runs, "RUN directories that solve has filled")->required();
   sub.add_option("-o,--output", o.output, "HTML file to write; it needs no other file")->required();
   sub.add_flag("!--no-pictures", o.pictures, "Plans and tables alone");
+  sub.add_flag("!--no-rooms", o.rooms,
+               "Leave out the table of rooms, which takes most of the time");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/plan_files.hpp"
+#include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
 #include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
@@ -71,6 +72,43 @@ std::string file_name_of(const std::string& caption) {
   return name.empty() ? "picture" : name;
 }
 
+constexpr const char* picture_list = "pictures/pictures.json";
+
+/// The files whose checksums are kept beside those of the records.
+std::vector<std::string> sealed_names(const RunOutputs& outputs, const Scene& scene) {
+  std::vector<std::string> names{"surfaces.csv", "solution.glb", "report.html"};
+  if (!scene.probes.empty()) names.emplace_back("probes.json");
+  if (outputs.rooms) names.emplace_back("rooms.csv");
+  if (outputs.pictures) names.emplace_back(picture_list);
+  return names;
+}
+
+/// Writes the pictures and their list; returns their names in RUN.
+std::vector<std::string> write_pictures(const std::string& run_directory,
+                                        std::span<const Figure> pictures) {
+  std::vector<std::string> names;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Figure& figure : pictures) {
+    names.push_back("pictures/" + file_name_of(figure.caption) + ".png");
+    write_file_atomically(run_directory + "/" + names.back(), figure.png);
+    list.push_back({{"file", names.back()}, {"caption", figure.caption}});
+  }
+  write_file_atomically(run_directory + "/" + picture_list, list.dump(1) + "\n");
+  return names;
+}
+
+/// The pictures that a solve has made of the committed iteration; none where it has made none.
+std::vector<Figure> kept_pictures(const std::string& run_directory) {
+  std::vector<Figure> pictures;
+  if (!reports_are_whole(run_directory, std::vector<std::string>{picture_list})) return pictures;
+  const std::optional<std::string> list = read_report(run_directory, picture_list);
+  for (const auto& entry : nlohmann::json::parse(list.value_or("[]"))) {
+    const std::optional<std::string> png = read_report(run_directory, entry.at("file"));
+    if (png) pictures.push_back({entry.at("caption"), *png});
+  }
+  return pictures;
+}
+
 }  // namespace
 
 std::string history_json(std::span<const IterationSummary> history) {
@@ -81,21 +119,28 @@ std::string history_json(std::span<const IterationSummary> history) {
   return "[" + rows + "]\n";
 }
 
-RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
-                      const Progress& progress) {
-  RunPage page = read_run_page(run_directory);
+RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Progress& progress) {
+  const SolvedScene solved = run.solved_scene();
+  RunPage page = read_run_page(outputs.run_directory);
+  std::vector<Figure> kept;
+  if (outputs.pictures) kept = kept_pictures(outputs.run_directory);
   std::vector<Camera> cameras;
-  if (pictures) cameras = automatic_cameras(solved);
-  const std::vector<Rank> owner = read_owners(run_directory);
-  add_pictures(page, solved, cameras, owner, {}, progress);
+  if (outputs.pictures && kept.empty()) cameras = automatic_cameras(solved);
+  add_pictures(page, solved, cameras, read_owners(outputs.run_directory), {}, progress);
+  if (!kept.empty()) page.pictures = std::move(kept);
+  if (outputs.rooms) page.rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, progress);
   return page;
+}
+
+bool has_run_outputs(const RunOutputs& outputs, const Scene& scene) {
+  return reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
 }
 
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
-  for (const char* name :
-       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json",
-        "probes.json", "surfaces.csv", "solution.glb", "report.html", "trace.paje", "pictures"}) {
+  for (const char* name : {"stats.json", "reports.json", "history.json", "warnings.json",
+                           "assignment.json", "probes.json", "rooms.csv", "surfaces.csv",
+                           "solution.glb", "report.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }
@@ -115,13 +160,16 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
         irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
         solved.scene.unit);
   }
-  const RunPage page = make_run_page(outputs.run_directory, solved, outputs.pictures, progress);
-  if (outputs.pictures) write_run_plans(outputs.run_directory, page.plans);
-  for (const Figure& figure : page.pictures) {
-    write_file_atomically(directory + "pictures/" + file_name_of(figure.caption) + ".png",
-                          figure.png);
+  const RunPage page = make_run_page(outputs, run, progress);
+  std::vector<std::string> sealed = sealed_names(outputs, solved.scene);
+  if (outputs.pictures) {
+    write_run_plans(outputs.run_directory, page.plans);
+    for (std::string& name : write_pictures(outputs.run_directory, page.pictures))
+      sealed.push_back(std::move(name));
   }
+  if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
+  seal_reports(outputs.run_directory, sealed);
 }
 
 }  // namespace enfilade

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/outputs/solved_run.hpp"
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
 #include "base/warnings.hpp"
@@ -17,6 +18,7 @@ namespace enfilade {
 struct RunOutputs {
   std::string run_directory;
   bool pictures = true;
+  bool rooms = false;  ///< rooms.csv, and the table of rooms in report.html
 };
 
 /// Results of the solve that are in memory.
@@ -36,13 +38,15 @@ std::string history_json(std::span<const IterationSummary> history);
 void remove_run_outputs(const std::string& run_directory);
 
 /// stats.json, history.json, warnings.json and assignment.json; surfaces.csv, solution.glb,
-/// report.html; probes.json where the scene has probes; and pictures/, a file each. Takes
-/// `records.prepared` over.
+/// report.html; probes.json where the scene has probes; and pictures/, a file each, with their list
+/// in pictures/pictures.json. Takes `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
 
-/// Returns the page of a run that has a solution: with plans, and with pictures where `pictures` is
-/// true.
-RunPage make_run_page(const std::string& run_directory, const SolvedScene& solved, bool pictures,
-                      const Progress& progress);
+/// True where RUN has all these files, as a solve has written them for the committed iteration.
+bool has_run_outputs(const RunOutputs& outputs, const Scene& scene);
+
+/// Returns the page of a run that has a solution: with plans, with pictures and the table of rooms
+/// where `outputs` asks for them. Pictures that the solve has made are taken as they are.
+RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Progress& progress);
 
 }  // namespace enfilade

@@ -1,11 +1,9 @@
 #include "app/outputs/solved_run.hpp"
 
-#include <algorithm>
 #include <atomic>
 
 #include "base/error.hpp"
 #include "base/run_on_threads.hpp"
-#include "base/usable_cores.hpp"
 #include "run/history.hpp"
 #include "run/solution.hpp"
 #include "scene/equal_bands.hpp"
@@ -35,6 +33,12 @@ SolvedRun::SolvedRun(Prepared prepared, const std::string& run_directory,
       gather_config_(with_errors(config, run_directory)),
       gather_(solution_, prepared_.scene.lights, occluders_, gather_config_) {}
 
+PointGather SolvedRun::gather_with(PointGatherConfig config) const {
+  config.patch_error = gather_config_.patch_error;
+  config.reflected_error = gather_config_.reflected_error;
+  return {solution_, prepared_.scene.lights, occluders_, config};
+}
+
 ProbeMethod probe_method(const std::string& name) {
   if (name == "gather") return ProbeMethod::gather;
   if (name == "patches") return ProbeMethod::patches;
@@ -46,7 +50,7 @@ ProbeAnswers irradiance_at(const SolvedRun& run, std::span<const Probe> probes, 
                            const Progress& progress) {
   ProbeAnswers found;
   found.answers.resize(probes.size());
-  std::atomic<std::size_t> next{0}, in_the_open{0}, behind{0};
+  std::atomic<std::size_t> in_the_open{0}, behind{0};
   const auto gather = [&](const Probe& probe) {
     PointIrradiance light = run.gather().at(probe.p, probe.n);
     if (light.back_share > mostly) {
@@ -57,25 +61,17 @@ ProbeAnswers irradiance_at(const SolvedRun& run, std::span<const Probe> probes, 
     return light;
   };
   const auto read_off = [&](const Probe& probe) {
-    PointIrradiance light{run.gather().from_patches(probe.p, probe.n), {}};
+    PointIrradiance light{run.gather().from_patches(probe.p, probe.n), {}, {}, {}};
     for (const double e : light.irradiance) light.error.push_back(run.patch_error() * e);
     return light;
   };
-  const auto work = [&](bool reports) {
-    for (std::size_t i = next++; i < probes.size(); i = next++) {
-      const PointIrradiance light =
-          method == ProbeMethod::gather ? gather(probes[i]) : read_off(probes[i]);
-      const Scene& scene = run.prepared().scene;
-      found.answers[i] = {in_bands_of_file(scene, light.irradiance),
-                          in_bands_of_file(scene, light.error)};
-      if (!reports) continue;
-      report_progress(progress, "probe",
-                      static_cast<double>(i + 1) / static_cast<double>(probes.size()));
-    }
-  };
-  run_on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(usable_cores()),
-                                                        probes.size())),
-                 work);
+  for_each_on_threads(probes.size(), "probe", progress, [&](std::size_t i) {
+    const PointIrradiance light =
+        method == ProbeMethod::gather ? gather(probes[i]) : read_off(probes[i]);
+    const Scene& scene = run.prepared().scene;
+    found.answers[i] = {in_bands_of_file(scene, light.irradiance),
+                        in_bands_of_file(scene, light.error)};
+  });
   found.in_the_open = in_the_open;
   found.behind = behind;
   return found;

@@ -28,6 +28,8 @@ class SolvedRun {
 
   const Prepared& prepared() const { return prepared_; }
   const PointGather& gather() const { return gather_; }
+  /// Returns another gatherer, with other rays; refers to this object.
+  PointGather gather_with(PointGatherConfig config) const;
   /// Relative error of the light of patches, as estimated.
   double patch_error() const { return gather_config_.patch_error; }
   /// For pictures, tables and models; refers to this object.

@@ -65,9 +65,29 @@ void check_local_directory(const std::string& directory) {
 }
 
 /// Empty for a RUN directory that is solved in place.
-SceneSource source_of(const std::string& scene_file) {
+SceneSource source_of(const std::string& scene_file, bool allow_outside) {
   if (scene_file.empty()) return {};
-  return [scene_file](Warnings& warnings) { return read_scene_or_model(scene_file, warnings); };
+  return [scene_file, allow_outside](Warnings& warnings) {
+    return read_scene_or_model(scene_file, warnings, allow_outside);
+  };
+}
+
+/// True where a finished run is asked to go on and no iteration is left, nor a file to write: RUN
+/// stays as it is, and is told once more.
+bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
+                     const Prepared& prepared, RankSession& session) {
+  if (options.trace || !is_solved(config, prepared, session.communicator())) return false;
+  std::string whole;
+  session.communicator().on_root([&] {
+    if (!has_run_outputs({config.run_directory, options.pictures, options.rooms}, prepared.scene))
+      return;
+    whole = "whole";
+    const RunRecord stats = read_stats(config.run_directory);
+    session.console().warnings(shortfall_of(config.run_directory, stats, config.max_iterations));
+    session.console().note(config.run_directory + " is solved, and left as it is");
+    if (!options.quiet) session.console().print(solve_summary(config.run_directory, stats));
+  });
+  return !session.communicator().broadcast(whole).empty();
 }
 
 void run_solve(const SolveOptions& options, RankSession& session) {
@@ -81,11 +101,13 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   prepare_config.visibility.prove_hidden = false;
   prepare_config.cluster_graph = config.topmost() == Hierarchy::clusters;
   RunLock lock;
-  Prepared prepared =
-      prepare_on_root(communicator, source_of(options.scene_file()), config.run_directory,
-                      prepare_config, warnings, console.progress(), config.resume, lock);
+  report_progress(console.progress(), "reading the scene", 0.0);
+  Prepared prepared = prepare_on_root(
+      communicator, source_of(options.scene_file(), options.allow_outside), config.run_directory,
+      prepare_config, warnings, console.progress(), config.resume, lock);
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
+  if (nothing_is_left(options, config, prepared, session)) return;
 
   communicator.on_root([&] {
     // The root reads first what every rank is about to read, so that a fault is reported once.
@@ -95,6 +117,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   });
   if (options.trace) machine.trace();
   SolveProgress progress(config.target_error, console.progress());
+  report_progress(console.progress(), "solve: first iteration,", 0.0);
   RunRecord stats = solve(config, prepared, communicator, machine, progress.observer());
   describe_run(stats, config, prepared);
   describe_choices(stats, options.basis_is_given());
@@ -108,7 +131,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
       for (const Warning& w : found.all()) warnings.add(w.where, w.what);
     }
     const auto owner = assign_clusters(prepared, config, communicator.size());
-    write_run_outputs({config.run_directory, options.pictures},
+    write_run_outputs({config.run_directory, options.pictures, options.rooms},
                       {std::move(prepared), stats, history, owner, warnings}, console.progress());
     if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
   });

@@ -23,6 +23,8 @@ void describe_run(RunRecord& record, const SolveConfig& config, const Prepared& 
   record.set("scene_hash", hash_text(prepared.scene.hash));
   record.set("unit", enfilade::name_of(prepared.scene.unit));
   record.set("target_error", config.target_error);
+  if (!config.gather.target_points.empty())
+    record.set("target_points", config.gather.target_points.size());
   record.set("patch_links", config.most_patch_links());
   record.set("coarse_correction", config.method.coarse_correction);
   describe_strategies(record, config);

@@ -8,6 +8,7 @@
 #include "app/frame/subcommand.hpp"
 #include "base/error.hpp"
 #include "machine/cost_model.hpp"
+#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -34,7 +35,8 @@ constexpr std::array of_the_light = {
     "--target-error", "--epsilon",        "--tolerance", "--basis",
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
-    "--resume",       "--patch-links",    "--hierarchy"};
+    "--resume",       "--patch-links",    "--hierarchy", "--target-error-at",
+    "--rooms"};
 
 /// Below this share of the light, what is asked for drowns in the rounding of numbers.
 constexpr double least_share = 1e-9;
@@ -71,6 +73,10 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   group.add("--target-error", o.target_error,
             "Error to reach: relative, area-weighted L1 of the irradiance (0.02 = 2%)",
             number_between(least_share, 1.0));
+  group.add(
+      "--target-error-at", o.target_error_at,
+      "Hold the target error at the points of this probe file alone, for light gathered for "
+      "(probe): links are fine where the light on its way there needs it, and rough elsewhere");
   group.add("--patch-links", o.patch_links,
             "Hold what is read off patches (surfaces.csv, pictures, model) to the target error as "
             "well, until there are more links than this; past it only light gathered for (probe) "
@@ -217,6 +223,7 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   config.patch_links = patch_links;
+  if (!target_error_at.empty()) config.gather.target_points = read_probes(target_error_at).probes;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;
@@ -243,9 +250,15 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   add_method_options(parallel, o);
   add_resource_options(parallel, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_flag("--allow-outside", o.allow_outside,
+               "Read photometric files that the scene names outside its own folder");
   sub.add_flag("--trace", o.trace,
                "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
   sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
+  sub.add_flag(
+      "--rooms", o.rooms,
+      "Also the light in each room: RUN/rooms.csv, and first in report.html; 'enfilade rooms' "
+      "and 'enfilade report' find it later as well");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.parse_complete_callback([&sub, &o] {
     o.given.clear();

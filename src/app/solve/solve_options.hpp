@@ -16,6 +16,7 @@ struct SolveOptions {
   std::string input, output;
   std::string replay;  ///< RUN whose recorded gathers take the place of the kernels
   double target_error = SolveConfig{}.target_error;
+  std::string target_error_at;  ///< probe file; empty = everywhere
   double epsilon = 0.0, tolerance = 0.0;
   std::optional<std::uint64_t> patch_links;
   std::string basis = "linear", scheme = "spmd", assignment = "kmeans",
@@ -26,7 +27,8 @@ struct SolveOptions {
   std::uint64_t seed = SolveConfig{}.seed;
   int max_iterations = SolveConfig{}.max_iterations;
   bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
-  bool pictures = true;
+  bool allow_outside = false;
+  bool pictures = true, rooms = false;
   std::vector<std::string> given;  ///< options that stood on the command line
   std::vector<std::string> notes;  ///< lines about options that have another name now
 

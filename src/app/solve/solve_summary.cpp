@@ -56,10 +56,13 @@ constexpr Row summary_rows[] = {
 
 IterationObserver SolveProgress::observer() {
   return [this](const IterationSummary& summary) {
+    const double error = summary.error.total();
+    // Nothing is estimated before the light is everywhere.
+    const std::string estimate =
+        error > 0.0 ? fmt::format(" estimated error {:.2g}%,", 100.0 * error) : "";
     report_progress(progress_,
-                    fmt::format("solve: iteration {}, estimated error {:.2g}%,",
-                                summary.plan.iteration, 100.0 * summary.error.total()),
-                    fraction(summary.error.total()));
+                    fmt::format("solve: iteration {},{}", summary.plan.iteration, estimate),
+                    error > 0.0 ? fraction(error) : 0.0);
   };
 }
 

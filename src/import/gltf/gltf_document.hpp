@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/intake/model_files.hpp"
+#include "json/model_files.hpp"
 
 namespace enfilade {
 

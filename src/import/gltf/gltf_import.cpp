@@ -138,26 +138,31 @@ class GltfReader {
                     "light of type " + in_quotes(type.substr(0, 40)) + ": left out");
       return;
     }
-    double intensity = document_.real(light, "intensity", 1.0, place);
-    if (type == "spot") intensity *= share_of_beam(light, place, node);
+    const double intensity = document_.real(light, "intensity", 1.0, place);
     const std::vector<double> colour = document_.reals(light, "color", {1, 1, 1}, place);
-    PointLight point;
-    point.p = node.to_world[0].shift;
-    for (const double c : colour) point.intensity.push_back(std::max(0.0, intensity * c));
-    scene_.lights.push_back(std::move(point));
+    Spectrum bands;
+    for (const double c : colour) bands.push_back(std::max(0.0, intensity * c));
+    const Vec3 p = node.to_world[0].shift, axis = node.to_world[0].linear * Vec3(0.0, 0.0, -1.0);
+    const bool aimed = glm::length(axis) > 0.0 && std::isfinite(glm::length(axis));
+    LightSource made{p, bands};
+    if (type == "spot" && aimed) made = spot_light(p, axis, bands, cone_of(light, place));
+    if (aimed) made.frame = LightFrame::of(axis);
+    made.name = node.object;
+    scene_.lights.push_back(std::move(made));
   }
 
-  /// The mean of a spot's intensity over all directions, for an intensity of 1 on its axis. It is 1
-  /// within the inner cone, and falls with the square of the cosine's way to 0 at the outer one.
-  double share_of_beam(const Json& light, const std::string& where, const GltfNode& node) {
+  SpotCone cone_of(const Json& light, const std::string& where) {
     const auto spot = light.find("spot");
     const Json none = Json::object();
-    const Json& cone = spot != light.end() && spot->is_object() ? *spot : none;
-    const double inner = std::cos(document_.real(cone, "innerConeAngle", 0.0, where));
-    const double outer =
-        std::cos(document_.real(cone, "outerConeAngle", std::numbers::pi / 4.0, where));
-    warnings_.add(in_quotes(node.object), "spot light: its flux is kept, and goes to all sides");
-    return 0.5 * ((1.0 - inner) + std::max(0.0, inner - outer) / 3.0);
+    const Json& angles = spot != light.end() && spot->is_object() ? *spot : none;
+    const SpotCone cone{document_.real(angles, "innerConeAngle", 0.0, where),
+                        document_.real(angles, "outerConeAngle", std::numbers::pi / 4.0, where)};
+    if (!(cone.inner >= 0.0 && cone.inner <= cone.outer && cone.outer > 1e-4 &&
+          cone.outer <= std::numbers::pi)) {
+      document_.fail(where, "has cone angles that do not grow from 0 to pi",
+                     "export the model again");
+    }
+    return cone;
   }
 
   ModelFiles files_;

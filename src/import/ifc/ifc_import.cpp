@@ -8,8 +8,8 @@
 #include "import/ifc/floor_outline.hpp"
 #include "import/ifc/ifc_program.hpp"
 #include "import/intake/mesh_surfaces.hpp"
-#include "import/intake/model_files.hpp"
 #include "json/json_text.hpp"
+#include "json/model_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -198,9 +198,17 @@ class IfcReader {
   void add_luminaire(const Json& entry) {
     BuildingLuminaire lamp{entry.at("name"), entry.at("type"),
                            options_.scale * point_of(entry.at("p")), entry.at("flux_lm")};
-    if (lamp.flux_lm > 0.0) {
+    if (entry.contains("aim")) {
+      lamp.aim = point_of(entry["aim"]);
+      lamp.up = point_of(entry["up"]);
+    }
+    if (lamp.flux_lm <= 0.0) {
+      warnings_.add("lamp " + in_quotes(lamp.name), "tells no luminous flux: it stays dark");
+    } else {
       const double intensity = lamp.flux_lm / (4.0 * std::numbers::pi);
+      lamp.light = static_cast<int>(scene_.lights.size());
       scene_.lights.push_back({lamp.p, {intensity, intensity, intensity}});
+      scene_.lights.back().name = lamp.name;
     }
     scene_.building.luminaires.push_back(std::move(lamp));
   }

@@ -1,5 +1,7 @@
 #include "import/intake/scene_bytes.hpp"
 
+#include <map>
+
 #include "base/byte_stream.hpp"
 
 namespace enfilade {
@@ -9,6 +11,23 @@ namespace {
 struct Writing {
   ByteWriter& out;
   void number(double value) { out.put(value); }
+  void integer(std::int32_t value) { out.put(value); }
+  void distribution(const std::shared_ptr<const IntensityDistribution>& value) {
+    out.put(static_cast<std::uint8_t>(value != nullptr));
+    if (!value) return;
+    const IntensityTable& table = value->table();
+    out.put(static_cast<std::uint8_t>(table.type));
+    out.put_all(table.planes);
+    out.put_all(table.angles);
+    out.put_all(table.candela);
+  }
+  void cone(const std::optional<SpotCone>& value) {
+    out.put(static_cast<std::uint8_t>(value.has_value()));
+    if (!value) return;
+    out.put(value->inner);
+    out.put(value->outer);
+  }
+  void shape(const OpeningShape& value) { out.put(static_cast<std::uint8_t>(value)); }
   void text(const std::string& value) { out.put_text(value); }
   template <class T>
   void values(const std::vector<T>& list) {
@@ -23,7 +42,31 @@ struct Writing {
 
 struct Reading {
   ByteReader& in;
+  /// Lights that shared a distribution share it again.
+  std::map<std::vector<double>, std::shared_ptr<const IntensityDistribution>> known{};
+
   void number(double& value) { value = in.get<double>(); }
+  void integer(std::int32_t& value) { value = in.get<std::int32_t>(); }
+  void distribution(std::shared_ptr<const IntensityDistribution>& value) {
+    if (in.get<std::uint8_t>() == 0) return;
+    IntensityTable table;
+    table.type = static_cast<PhotometryType>(in.get<std::uint8_t>());
+    table.planes = in.get_all<double>();
+    table.angles = in.get_all<double>();
+    table.candela = in.get_all<double>();
+    std::vector<double> key{static_cast<double>(table.type)};
+    for (const auto* list : {&table.planes, &table.angles, &table.candela})
+      key.insert(key.end(), list->begin(), list->end());
+    auto& shared = known[std::move(key)];
+    if (!shared) shared = std::make_shared<const IntensityDistribution>(std::move(table));
+    value = shared;
+  }
+  void cone(std::optional<SpotCone>& value) {
+    if (in.get<std::uint8_t>() == 0) return;
+    const double inner = in.get<double>();
+    value = SpotCone{inner, in.get<double>()};
+  }
+  void shape(OpeningShape& value) { value = static_cast<OpeningShape>(in.get<std::uint8_t>()); }
   void text(std::string& value) { value = in.get_text(); }
   template <class T>
   void values(std::vector<T>& list) {
@@ -68,6 +111,9 @@ void building(Stream& stream, Building& data) {
     stream.text(lamp.type);
     point(stream, lamp.p);
     stream.number(lamp.flux_lm);
+    point(stream, lamp.aim);
+    point(stream, lamp.up);
+    stream.integer(lamp.light);
   });
 }
 
@@ -80,10 +126,18 @@ void scene_parts(Stream& stream, SomeScene& scene) {
     stream.values(surface.exitance);
     stream.text(surface.name);
     stream.text(surface.object);
+    stream.distribution(surface.distribution);
+    point(stream, surface.up);
   });
   stream.list(scene.lights, [&](auto& light) {
     point(stream, light.p);
     stream.values(light.intensity);
+    stream.text(light.name);
+    stream.distribution(light.distribution);
+    for (auto* axis : {&light.frame.right, &light.frame.up, &light.frame.aim}) point(stream, *axis);
+    stream.cone(light.cone);
+    stream.shape(light.shape.shape);
+    point(stream, light.shape.size);
   });
   building(stream, scene.building);
 }

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "import/intake/mesh_surfaces.hpp"
-#include "import/intake/model_files.hpp"
+#include "json/model_files.hpp"
 
 namespace enfilade {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+
+#include "import/radiance/radiance_xform.hpp"
 
 namespace enfilade {
 namespace {
@@ -95,22 +98,142 @@ double flux_of(const DataTable& table, bool theta_first, double last) {
   return integral(theta, mean, last);
 }
 
+/// The data as a table of type C; null where its angles are not those of such a table.
+std::shared_ptr<const IntensityDistribution> distribution_of(const DataTable& data,
+                                                             bool theta_first) {
+  IntensityTable table;
+  table.planes = {0.0};
+  if (data.axes.size() > 1) table.planes = data.axes[theta_first ? 1 : 0];
+  table.angles = data.axes[theta_first || data.axes.size() == 1 ? 0 : 1];
+  for (std::size_t p = 0; p < table.planes.size(); ++p) {
+    for (std::size_t a = 0; a < table.angles.size(); ++a) {
+      table.candela.push_back(
+          data.values[theta_first ? a * table.planes.size() + p : p * table.angles.size() + a]);
+    }
+  }
+  try {
+    return std::make_shared<const IntensityDistribution>(std::move(table));
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
+}
+
+/// The area (m2) that a source shows in a direction; of a flat one per area of its own.
+double shown_area(const RadianceDistribution& d, const Vec3& w) {
+  const Vec3 c = glm::abs(w);
+  if (d.source == RadianceSource::box)
+    return c.x * d.size.y * d.size.z + c.y * d.size.x * d.size.z + c.z * d.size.x * d.size.y;
+  return d.size.x * d.size.z * std::hypot(w.x, w.y) + 0.25 * pi * d.size.x * d.size.x * c.z;
+}
+
+/// Where the words of a pattern tell of angles that are neither a plane's nor the one from the aim,
+/// as of photometry of types A and B, the data are no table of type C.
+bool is_type_c(const std::vector<std::string>& words, std::size_t first, std::size_t axes) {
+  for (std::size_t i = first; i < first + axes && i < words.size(); ++i) {
+    if (words[i] != "src_theta" && words[i] != "src_phi" && words[i] != "src_phi2" &&
+        words[i] != "src_phi4")
+      return false;
+  }
+  return true;
+}
+
+/// The turn by the words behind the angles ("-rx 90").
+glm::dmat3 turn_of(const RadiancePrimitive& pattern, std::size_t first) {
+  const std::vector<std::string> words(
+      pattern.words.begin() + static_cast<std::ptrdiff_t>(std::min(first, pattern.words.size())),
+      pattern.words.end());
+  return words.empty() ? glm::dmat3(1.0)
+                       : parse_radiance_xform(words, pattern.place).copies[0].linear;
+}
+
 }  // namespace
 
-std::optional<double> radiance_distribution(const RadiancePrimitive& pattern, ModelFiles& files) {
+LightFrame RadianceDistribution::frame(const glm::dmat3& linear) const {
+  const glm::dmat3 all = linear * turn;
+  return LightFrame::of(all * Vec3(0.0, 0.0, -1.0), all * Vec3(0.0, 1.0, 0.0)).value();
+}
+
+RadianceFaceLight RadianceDistribution::face_light(const glm::dmat3& linear, const Vec3& normal,
+                                                   Vec3& up) const {
+  constexpr double aligned = 1.0 - 1e-9;
+  const LightFrame source_frame = frame(linear);
+  const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+  RadianceFaceLight light;
+  if (source == RadianceSource::flat && glm::dot(source_frame.aim, normal) > aligned) {
+    up = source_frame.up;
+    if (data->table().angles.front() >= 90.0) return light;
+    light.distribution = std::make_shared<const IntensityDistribution>(data->front_half());
+    light.exitance = factor * light.distribution->flux();
+    return light;
+  }
+  // The part of the source's light that this face sends, by its share of the area that is shown.
+  const LightFrame own = LightFrame::of(normal);
+  up = own.up;
+  IntensityTable table;
+  for (int c = 0; c <= 72; ++c) table.planes.push_back(5.0 * c);
+  for (int g = 0; g <= 45; ++g) table.angles.push_back(2.0 * g);
+  bool any = false;
+  for (const double plane : table.planes) {
+    for (const double angle : table.angles) {
+      const double c = plane * pi / 180.0, g = angle * pi / 180.0;
+      const Vec3 w = own.to_world(
+          {std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), std::max(0.0, std::cos(g))});
+      const Vec3 local = source_frame.to_local(w);
+      double share = 1.0;  // per area of the face
+      if (source != RadianceSource::flat) {
+        const double shown = scale * scale * shown_area(*this, local);
+        share = shown > 0.0 ? std::max(0.0, std::cos(g)) / shown : 0.0;
+      }
+      table.candela.push_back(data->intensity(local) * share);
+      any |= table.candela.back() > 0.0;
+    }
+  }
+  if (!any) return light;
+  // The source's data are its whole intensity, which grows with its size.
+  const double area_scale = source == RadianceSource::flat ? 1.0 : scale * scale;
+  light.distribution = std::make_shared<const IntensityDistribution>(std::move(table));
+  light.exitance = factor * area_scale * light.distribution->flux();
+  return light;
+}
+
+RadianceDistribution radiance_spot(const Vec3& direction, double half_angle) {
+  constexpr int steps = 60;
+  IntensityTable table;
+  table.planes = {0.0};
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = std::min(half_angle, 0.5 * pi) * i / steps;
+    table.angles.push_back(angle * 180.0 / pi);
+    table.candela.push_back(std::max(0.0, std::cos(angle)));
+  }
+  RadianceDistribution spot;
+  spot.exitance = pi * std::pow(std::sin(std::min(half_angle, 0.5 * pi)), 2.0);
+  spot.data = std::make_shared<const IntensityDistribution>(std::move(table));
+  const LightFrame frame = LightFrame::of(direction);
+  spot.turn = glm::dmat3(frame.right, frame.up, -frame.aim);
+  return spot;
+}
+
+std::optional<RadianceDistribution> radiance_distribution(const RadiancePrimitive& pattern,
+                                                          ModelFiles& files) {
   const std::vector<std::string>& words = pattern.words;
   const std::vector<double>& a = pattern.numbers;
   if (pattern.type != "brightdata" || words.size() < 4 || a.empty()) return {};
-  const bool flat = words[0] == "flatcorr";
+  RadianceDistribution result;
   double area = 1.0;  // of the source, where the data are the intensity of the whole of it
-  if (words[0] == "boxcorr" && a.size() >= 4)
+  if (words[0] == "boxcorr" && a.size() >= 4) {
+    result.source = RadianceSource::box;
+    result.size = {a[1], a[2], a[3]};
     area = 2.0 * (a[1] * a[2] + a[2] * a[3] + a[3] * a[1]);
-  else if (words[0] == "cylcorr" && a.size() >= 3)
+  } else if (words[0] == "cylcorr" && a.size() >= 3) {
+    result.source = RadianceSource::cylinder;
+    result.size = {a[1], a[1], a[2]};
     area = pi * a[1] * (a[2] + 0.5 * a[1]);
-  else if (words[0] == "corr")
+  } else if (words[0] == "corr") {
+    result.source = RadianceSource::sphere;
     area = 4.0;  // of a sphere, whose shadow's area is in the first number
-  else if (!flat)
+  } else if (words[0] != "flatcorr") {
     return {};
+  }
   const auto is_theta = [&](std::size_t i) { return words[i].find("theta") != std::string::npos; };
   if (!is_theta(3) && !(words.size() > 4 && is_theta(4))) return {};
   const std::string path = ModelFiles::path_from(pattern.place.file, words[1]);
@@ -122,7 +245,15 @@ std::optional<double> radiance_distribution(const RadiancePrimitive& pattern, Mo
       pattern.place.fail(pattern.label() + " has data whose angles do not rise",
                          "make them anew with ies2rad");
   }
-  return area > 0.0 ? a[0] * flux_of(table, is_theta(3), flat ? 90.0 : 180.0) / area : 0.0;
+  const bool flat = result.source == RadianceSource::flat;
+  result.factor = std::max(0.0, a[0]);
+  result.exitance =
+      area > 0.0 ? a[0] * flux_of(table, is_theta(3), flat ? 90.0 : 180.0) / area : 0.0;
+  if (is_type_c(words, 3, table.axes.size())) {
+    result.data = distribution_of(table, is_theta(3));
+    result.turn = turn_of(pattern, 3 + table.axes.size());
+  }
+  return result;
 }
 
 }  // namespace enfilade

@@ -117,17 +117,41 @@ class RadianceReader {
     if (!to_world.modifier.empty()) shape.modifier = to_world.modifier;
     const RadianceMaterial material = modifiers_.material_of(shape, warnings_);
     if (material.passes_light) return;
+    const bool ball = material.distribution && shape.type == "sphere" &&
+                      material.distribution->source == RadianceSource::sphere;
+    if (ball) {
+      for (const RadianceTransform& copy : to_world.copies)
+        add_ball(copy, material, shape, to_world.prefix);
+      return;
+    }
     surfaces_.reserve(polygons.size() * to_world.copies.size());
     for (const RadianceTransform& copy : to_world.copies) {
       for (const Polygon& polygon : polygons) {
         Polygon image = copy.image_of(polygon);
         if (to_world.inverts) std::reverse(image.begin(), image.end());
-        add_surfaces(std::move(image), material, shape, to_world.prefix);
+        add_surfaces(std::move(image), material, copy.linear, shape, to_world.prefix);
       }
     }
   }
 
-  void add_surfaces(Polygon polygon, const RadianceMaterial& material,
+  /// ies2rad's model of a point: a small ball whose light is that of the data.
+  void add_ball(const RadianceTransform& copy, const RadianceMaterial& material,
+                const RadiancePrimitive& shape, const std::string& prefix) {
+    constexpr double smallest_opening_m = 0.02;
+    const std::vector<double>& n = shape.numbers;
+    const double radius = std::abs(n[3]) * std::cbrt(std::abs(glm::determinant(copy.linear)));
+    LightSource light{copy.linear * Vec3(n[0], n[1], n[2]) + copy.shift, {}};
+    for (const double exitance : material.exitance)  // the mean over the ball
+      light.intensity.push_back(exitance * radius * radius);
+    light.distribution = material.distribution->data;
+    light.frame = material.distribution->frame(copy.linear);
+    light.name = prefix.empty() ? shape.name : prefix + "." + shape.name;
+    if (2.0 * radius > smallest_opening_m)
+      light.shape = {OpeningShape::ellipsoid, Vec3(2.0 * radius)};
+    scene_.lights.push_back(std::move(light));
+  }
+
+  void add_surfaces(Polygon polygon, const RadianceMaterial& material, const glm::dmat3& linear,
                     const RadiancePrimitive& shape, const std::string& prefix) {
     for (const Vec3& p : polygon) {
       if (!std::isfinite(p.x + p.y + p.z))
@@ -137,6 +161,8 @@ class RadianceReader {
     surface.vertices = std::move(polygon);
     surface.reflectance = material.reflectance;
     surface.exitance = material.exitance;
+    if (material.distribution && material.emits())
+      distribute(*material.distribution, linear, surface);
     surface.name = prefix.empty() ? shape.name : prefix + "." + shape.name;
     surface.object = prefix.empty() ? shape.name : prefix;
     // A scene's two-sided surface emits from both sides; one that emits needs a back of its own.
@@ -145,7 +171,21 @@ class RadianceReader {
     if (!material.reflects() || !material.emits()) return;
     std::reverse(surface.vertices.begin(), surface.vertices.end());
     surface.exitance.assign(surface.exitance.size(), 0.0);
+    surface.distribution = nullptr;
     scene_.surfaces.push_back(std::move(surface));
+  }
+
+  /// Each face of a source sends its own part of the light.
+  static void distribute(const RadianceDistribution& distribution, const glm::dmat3& linear,
+                         Surface& surface) {
+    const Vec3 n = normal(surface.vertices);
+    if (glm::length(n) <= 0.0) return;
+    const RadianceFaceLight light = distribution.face_light(linear, n, surface.up);
+    surface.distribution = light.distribution;
+    // The material has the mean of the whole source.
+    const double factor =
+        distribution.exitance > 0.0 ? light.exitance / distribution.exitance : 0.0;
+    for (double& band : surface.exitance) band *= factor;
   }
 
   void warn_of_skipped() {

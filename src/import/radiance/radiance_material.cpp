@@ -67,7 +67,14 @@ RadianceMaterial emitting(const RadiancePrimitive& material) {
     // The same radiance within a cone of this full angle only: pi L sin^2 of the half.
     const double angle = std::clamp(material.numbers[3], 0.0, 180.0);
     factor *= std::pow(std::sin(0.5 * angle * std::numbers::pi / 180.0), 2.0);
-    result.losses.push_back("beam left out: its light goes to all sides");
+    const Vec3 direction(material.numbers[4], material.numbers[5], material.numbers[6]);
+    const double length = glm::length(direction);
+    if (angle > 0.01 && length > 0.0 && std::isfinite(length)) {
+      result.distribution = std::make_shared<const RadianceDistribution>(
+          radiance_spot(direction, 0.5 * angle * std::numbers::pi / 180.0));
+    } else {
+      result.losses.push_back("beam left out: its light goes to all sides");
+    }
   }
   result.exitance = color(material);
   for (double& band : result.exitance) {

@@ -1,6 +1,9 @@
 // The diffuse part of a Radiance material, and the light that it gives off.
 #pragma once
 
+#include <memory>
+
+#include "import/radiance/radiance_distribution.hpp"
 #include "import/radiance/radiance_primitive.hpp"
 #include "scene/scene.hpp"
 
@@ -11,7 +14,9 @@ struct RadianceMaterial {
   Spectrum reflectance{0.0, 0.0, 0.0};  ///< of both sides
   Spectrum exitance{0.0, 0.0, 0.0};     ///< W/m2, of the front alone
   bool passes_light = false;            ///< rays pass through it: shapes of it are left out
-  std::vector<std::string> losses;      ///< properties that a scene can't hold, for warnings
+  /// How its light is distributed; null: as from a dull surface.
+  std::shared_ptr<const RadianceDistribution> distribution{};
+  std::vector<std::string> losses;  ///< properties that a scene can't hold, for warnings
 
   bool reflects() const;
   bool emits() const;

@@ -36,7 +36,8 @@ void RadianceModifiers::define(const RadiancePrimitive& primitive) {
       modifier.material = primitive.type.compare(0, 3, "mix") == 0 ? mixture(primitive)
                                                                    : radiance_material(primitive);
     } else {
-      modifier.distribution = radiance_distribution(primitive, files_);
+      if (auto found = radiance_distribution(primitive, files_))
+        modifier.distribution = std::make_shared<const RadianceDistribution>(std::move(*found));
     }
     if (primitive.type == "illum" && !primitive.words.empty())
       modifier.alternate = find(primitive.words[0], primitive);
@@ -48,7 +49,7 @@ void RadianceModifiers::define(const RadiancePrimitive& primitive) {
 
 RadianceModifiers::Link RadianceModifiers::end_of(Link link, Patterns& patterns) const {
   while (link && !modifiers_[*link].material) {
-    const std::optional<double>& distribution = modifiers_[*link].distribution;
+    const auto& distribution = modifiers_[*link].distribution;
     if (distribution && !patterns.distribution)
       patterns.distribution = distribution;
     else
@@ -115,13 +116,14 @@ RadianceMaterial RadianceModifiers::material_of(const RadiancePrimitive& shape,
   const bool distributed = result.emits() && patterns.distribution;
   if (distributed) {
     // Its material's exitance is pi times the radiance that the distribution multiplies.
-    for (double& band : result.exitance) band *= *patterns.distribution / std::numbers::pi;
+    for (double& band : result.exitance) band *= patterns.distribution->exitance / std::numbers::pi;
+    if (patterns.distribution->data) result.distribution = patterns.distribution;
   }
   if (!modifier.warned) {
     modifier.warned = true;
     const std::string where = in_quotes(modifier.name);
     for (const std::string& loss : result.losses) warnings.add(where, loss);
-    if (distributed)
+    if (distributed && !result.distribution)
       warnings.add(where,
                    "distribution of light: its flux is kept, and leaves as from a dull surface");
     if (patterns.any_left_out || (patterns.distribution && !distributed))

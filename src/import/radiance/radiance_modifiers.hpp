@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/warnings.hpp"
-#include "import/intake/model_files.hpp"
 #include "import/radiance/radiance_material.hpp"
+#include "json/model_files.hpp"
 
 namespace enfilade {
 
@@ -29,10 +29,10 @@ class RadianceModifiers {
 
   struct Modifier {
     std::string name;
-    Link before;                               ///< what modifies it
-    std::optional<RadianceMaterial> material;  ///< none for a pattern
-    Link alternate;                            ///< of an illum: what it looks like
-    std::optional<double> distribution;        ///< of a pattern: exitance per unit of radiance
+    Link before;                                               ///< what modifies it
+    std::optional<RadianceMaterial> material;                  ///< none for a pattern
+    Link alternate;                                            ///< of an illum: what it looks like
+    std::shared_ptr<const RadianceDistribution> distribution;  ///< of a pattern
     bool warned = false;
   };
 
@@ -40,7 +40,7 @@ class RadianceModifiers {
   /// What stands before a material in a chain.
   struct Patterns {
     bool any_left_out = false;
-    std::optional<double> distribution;
+    std::shared_ptr<const RadianceDistribution> distribution;
   };
   /// Returns the first material of a chain; its number, none for void.
   Link end_of(Link link, Patterns& patterns) const;

@@ -180,10 +180,19 @@ std::string stats_table(const RunRecord& stats) {
   return html + "</table></div>";
 }
 
-std::string run_section(const RunPage& run, bool titled) {
-  std::string html = titled ? "<h2>" + escaped(run.name) + "</h2>" : "";
+std::string warnings(const RunPage& run) {
+  if (run.warnings.empty()) return "";
+  std::string html = fmt::format("<details class=\"warnings\"><summary>{} warning{}</summary>",
+                                 run.warnings.size(), run.warnings.size() == 1 ? "" : "s");
   for (const std::string& line : run.warnings)
     html += "<p class=\"warn\">" + escaped(line) + "</p>";
+  return html + "</details>";
+}
+
+/// `number` tells the runs of the page apart.
+std::string run_section(const RunPage& run, bool titled, std::size_t number) {
+  std::string html = titled ? "<h2>" + escaped(run.name) + "</h2>" : "";
+  html += rooms_html(run.rooms, fmt::format("run-{}-room", number));
   html += tiles(run.stats);
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
     if (i == 1) html += "<div class=\"grid2\">";
@@ -191,7 +200,7 @@ std::string run_section(const RunPage& run, bool titled) {
   }
   if (run.pictures.size() > 1) html += "</div>";
   html += plans(run) + convergence(run) + time_by_rank(run.stats) + timeline(run) +
-          stats_table(run.stats);
+          stats_table(run.stats) + warnings(run);
   if (!run.attribution.empty()) html += "<h3>The scene</h3>";
   for (const std::string& line : run.attribution)
     html += "<p class=\"soft\">" + escaped(line) + "</p>";
@@ -227,18 +236,22 @@ std::string comparison(std::span<const RunPage> runs) {
 
 }  // namespace
 
+std::string html_page(const std::string& title, const std::string& body) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
+         escaped(title) + " - Enfilade</title><style>" + report_style +
+         "</style></head><body><main><h1>" + escaped(title) +
+         "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
+         "radiosity. Made by Enfilade.</p>" +
+         body + "</main></body></html>\n";
+}
+
 std::string report_html(std::span<const RunPage> runs) {
   const std::string title = runs.size() == 1 ? runs[0].name : std::to_string(runs.size()) + " runs";
-  std::string html =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
-      escaped(title) + " - Enfilade</title><style>" + report_style + "</style></head><body><main>";
-  html += "<h1>" + escaped(title) +
-          "</h1><p class=\"soft\">Light in a building, by parallel hierarchical "
-          "radiosity. Made by Enfilade.</p>";
-  if (runs.size() > 1) html += comparison(runs);
-  for (const RunPage& run : runs) html += run_section(run, runs.size() > 1);
-  return html + "</main></body></html>\n";
+  std::string body = runs.size() > 1 ? comparison(runs) : "";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    body += run_section(runs[i], runs.size() > 1, i + 1);
+  return html_page(title, body);
 }
 
 }  // namespace enfilade

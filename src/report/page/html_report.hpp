@@ -10,6 +10,7 @@
 #include "report/pictures/camera.hpp"
 #include "report/pictures/render.hpp"
 #include "report/plans/floor_plan.hpp"
+#include "report/room_table/room_table.hpp"
 
 namespace enfilade {
 
@@ -26,6 +27,7 @@ struct RunPage {
   std::vector<RunRecord> history;  ///< one per iteration
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
+  RoomTable rooms;       ///< comes first; without rooms where it was not asked for
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
   std::vector<std::string> warnings, attribution;
 };
@@ -41,6 +43,9 @@ std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Ra
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
                   std::span<const Rank> owner, const RenderConfig& config,
                   const Progress& progress = {});
+
+/// Returns a page with a body in the style of the report (HTML), its title as text.
+std::string html_page(const std::string& title, const std::string& body);
 
 /// Returns the page. With several runs a table that compares them comes first.
 std::string report_html(std::span<const RunPage> runs);

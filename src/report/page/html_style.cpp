@@ -32,6 +32,10 @@ th,td{text-align:left;padding:6px 12px 6px 0;border-bottom:1px solid var(--line)
 td{font-variant-numeric:tabular-nums}th{font-weight:600}td.n,th.n{text-align:right}
 .columns{columns:2 320px;column-gap:40px}.columns tr{break-inside:avoid}
 .warn{border-left:3px solid var(--accent);padding:2px 0 2px 12px;margin:8px 0}
+a{color:inherit;text-decoration-color:var(--line);text-underline-offset:3px}small{color:var(--soft);font-size:12px}
+.sortable th{cursor:pointer;user-select:none;vertical-align:bottom}.sortable th[aria-sort]::after{content:" \25BE"}
+.sortable th[aria-sort=ascending]::after{content:" \25B4"}.rooms td{white-space:nowrap}.good{color:#2e7d32}.bad{color:#c62828}
+details.warnings{margin:28px 0}details.warnings summary{cursor:pointer;color:var(--soft)}
 @media print{body{background:#fff}.tile,.card{break-inside:avoid}}
 )css";
 

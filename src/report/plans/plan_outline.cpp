@@ -9,7 +9,7 @@ namespace enfilade {
 namespace {
 
 /// Nothing where no polygon covers ground.
-Geos::Geometry union_of(const Geos& geos, std::span<const Polygon> polygons) {
+Geos::Geometry union_of(const Geos& geos, std::span<const Polygon> polygons, double snap_m = 0.0) {
   std::vector<GEOSGeometry*> parts;
   for (const Polygon& polygon : polygons) {
     if (std::abs(area_vector(polygon).z) < 1e-8) continue;
@@ -19,7 +19,9 @@ Geos::Geometry union_of(const Geos& geos, std::span<const Polygon> polygons) {
   if (parts.empty()) return geos.own(nullptr);
   const auto all = geos.own(GEOSGeom_createCollection_r(
       geos.handle(), GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
-  auto outline = geos.own(all ? GEOSUnaryUnion_r(geos.handle(), all.get()) : nullptr);
+  auto outline = geos.own(!all           ? nullptr
+                          : snap_m > 0.0 ? GEOSUnaryUnionPrec_r(geos.handle(), all.get(), snap_m)
+                                         : GEOSUnaryUnion_r(geos.handle(), all.get()));
   // One order of rings, and holes that turn the other way.
   if (outline) GEOSNormalize_r(geos.handle(), outline.get());
   return outline;
@@ -52,10 +54,10 @@ void add_rings(const Geos& geos, const GEOSGeometry* polygon,
 
 }  // namespace
 
-std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons) {
+std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons, double snap_m) {
   const Geos geos;
   std::vector<std::vector<Vec2>> rings;
-  const auto all = union_of(geos, polygons);
+  const auto all = union_of(geos, polygons, snap_m);
   if (!all) return rings;
   const int count = GEOSGetNumGeometries_r(geos.handle(), all.get());
   for (int i = 0; i < count; ++i) {

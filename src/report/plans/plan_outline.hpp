@@ -9,8 +9,10 @@
 namespace enfilade {
 
 /// Returns rings (outlines and holes) of the union of the polygons seen from above. Upright
-/// polygons add nothing.
-std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons);
+/// polygons add nothing. Outlines first turn clockwise, holes counter-clockwise. With `snap_m`
+/// above 0, corners are moved to a grid of that width, so that neighbours which meet but for
+/// rounding become one.
+std::vector<std::vector<Vec2>> footprint(std::span<const Polygon> polygons, double snap_m = 0.0);
 
 /// A circle within the polygons.
 struct InnerCircle {

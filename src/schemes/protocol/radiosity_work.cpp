@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "solver/importance.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -40,6 +42,10 @@ RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout,
       bands_(static_cast<std::size_t>(prepared.scene.bands)),
       coarse_(unknowns_.count, bands_) {
   for (const Cluster& cluster : prepared.clusters) area_m2_ += cluster.area_m2;
+  WorkCount work;
+  importance_ = importance_to(config.gather.target_points, prepared.scene, prepared.clusters,
+                              occluders_, work);
+  machine.compute(work);
 }
 
 void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> changes) {
@@ -53,7 +59,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
         state.correct(unknowns_.of(state.id(), own, bands_));
       });
   resident_.set_jacobi(config_.method.uses_jacobi(plan, unknowns_));
-  gather_config_ = gather_config(plan, config_.gather, config_.method, area_m2_);
+  gather_config_ = gather_config(plan, config_.gather, config_.method, area_m2_, importance_);
 }
 
 void RadiosityWork::take_far_light(std::span<const double> lights) {

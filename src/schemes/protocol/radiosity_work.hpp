@@ -67,6 +67,7 @@ class RadiosityWork final : public ClusterWork {
   ResidentClusters resident_;
   Occluders occluders_;
   GatherConfig gather_config_;
+  std::vector<float> importance_;
   CoarseUnknowns unknowns_;
   BuildingField field_;
   std::vector<double> far_light_;  ///< of this rank: a cluster's number, then its ClusterLight

@@ -85,6 +85,18 @@ std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& c
                          {.method = config.assignment, .parts = ranks, .seed = config.seed});
 }
 
+bool is_solved(const SolveConfig& config, const Prepared& prepared, Communicator& communicator) {
+  std::string solved;
+  communicator.on_root([&] {
+    const std::optional<Manifest> manifest =
+        manifest_to_resume(config, prepared, RunLayout(config.run_directory));
+    if (!manifest || !manifest->finished) return;
+    const PlanConfig planning = plan_config(config, prepared.scene, prepared.clusters);
+    if (next_plan(history_of(manifest), planning).finished) solved = "solved";
+  });
+  return !communicator.broadcast(solved).empty();
+}
+
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer) {
   const MemoryPurpose purpose("the clusters, their patches and links");

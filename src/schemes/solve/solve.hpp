@@ -45,6 +45,10 @@ struct SolveConfig : SolverConfig {
 RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicator& communicator,
                 Machine& machine, const IterationObserver& observer = {});
 
+/// All ranks call it. True where config.resume finds a solution of this scene that no further
+/// iteration would change, however it is asked for. Throws as solve().
+bool is_solved(const SolveConfig& config, const Prepared& prepared, Communicator& communicator);
+
 /// Returns owner[i], the rank that cluster i is assigned to before the first iteration.
 std::vector<Rank> assign_clusters(const Prepared& prepared, const SolveConfig& config, int ranks);
 

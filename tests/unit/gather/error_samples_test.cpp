@@ -14,7 +14,7 @@ using testing::Solved;
 ErrorSampleSums sampled(Solved& solved, std::size_t of, const ErrorSampleConfig& config) {
   WorkCount work;
   ErrorSamples samples(solved.states[of], solved.occluders, config, work);
-  for (const PointLight& light : solved.scene.lights) samples.add(light);
+  for (const LightSource& light : solved.scene.lights) samples.add(light);
   for (const ClusterState& state : solved.states) samples.add(state);
   return samples.compare(solved.states[of]);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/form_factor.hpp"
 #include "unit/gather/box_room.hpp"
 
 namespace enfilade {
@@ -95,6 +96,28 @@ TEST(LinkEstimator, RaysAreAsManyAsThePowerIsWorth) {
   EXPECT_EQ(many.work.rays, 16u);
   EXPECT_NEAR(many.estimate.transport[0], 0.5 * square_factor, 0.06);
   EXPECT_GT(many.estimate.shooter_error, 0.0);
+}
+
+TEST(LinkEstimator, WhatALinkCarriesDoesNotDependOnTheRaysThatDecided) {
+  // From a point at x the share x of the shooter is seen, past the edge at x = 1/2 of the middle
+  // plane. A part of the receiver whose only ray is shut still carries that share, on average.
+  const Pair pair({sheet({-1, -1}, {0.5, 2}, 0.5, true)}, exactly);
+  WorkCount work;
+  LinkEstimator estimator(pair.occluders, VisibilityMethod::exact, work);
+  const LinkSide shooter = LinkSide::of(pair.shooting.patches(), ClusterId(1u), {});
+  double kept = 0.0, expected = 0.0;
+  constexpr std::uint32_t parts = 1024;
+  for (std::uint32_t path = parts; path < 2 * parts; ++path) {
+    const LinkSide part = LinkSide::of(pair.receiving.patches(), ClusterId(0u), {0, path});
+    const LinkEstimate decided = estimator.evaluate(part, shooter, roughly, nullptr);
+    if (decided.transport[0] > 0.0f) continue;
+    const auto transport = estimator.kept_transport(part, shooter, roughly, nullptr, decided);
+    kept += transport[0];
+    Polygon corners = shooter.corners;
+    expected += part.center.x * point_to_polygon(part.center, {0, 0, 1}, corners);
+  }
+  EXPECT_GT(expected, 20.0);
+  EXPECT_NEAR(kept / expected, 1.0, 0.25);
 }
 
 TEST(LinkEstimator, SidesThatFaceAwayAreInvisible) {

@@ -64,5 +64,20 @@ TEST_F(SealedReports, WithoutTheirSealTheyAreNotBelieved) {
   EXPECT_THROW(read_report(run, "stats.json"), RunError);
 }
 
+TEST_F(SealedReports, AreWholeAsLongAsAllAreThereAndAsTheyWere) {
+  replace_file(run + "/surfaces.csv", "a");
+  const std::vector<std::string> more{"surfaces.csv"};
+  EXPECT_TRUE(reports_are_whole(run, {}));
+  EXPECT_FALSE(reports_are_whole(run, more));  // not sealed
+  seal_reports(run, more);
+  EXPECT_TRUE(reports_are_whole(run, more));
+  EXPECT_EQ(read_report(run, "surfaces.csv"), "a");
+  replace_file(run + "/surfaces.csv", "b");
+  EXPECT_FALSE(reports_are_whole(run, more));
+  EXPECT_FALSE(reports_are_whole(run, {}));
+  remove_directory(run + "/surfaces.csv");
+  EXPECT_FALSE(reports_are_whole(run, {}));
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -126,8 +126,8 @@ TEST_F(SceneReader, FaultsOfTheWholeScene) {
   EXPECT_THAT(fault("{\"version\": 2" + one), HasSubstr("version: is 2"));
   EXPECT_THAT(fault("{\"units\": \"furlong\"" + one), HasSubstr("units: is \"furlong\""));
   EXPECT_THAT(fault("{\"exitanceUnits\": \"lux\"" + one), HasSubstr("exitanceUnits: is \"lux\""));
-  EXPECT_THAT(fault("{\"lights\": [{\"type\": \"spot\", \"p\": [0,0,0], \"intensity\": 1}]" + one),
-              HasSubstr("lights[0].type: is \"spot\""));
+  EXPECT_THAT(fault("{\"lights\": [{\"type\": \"sun\", \"p\": [0,0,0], \"intensity\": 1}]" + one),
+              HasSubstr("lights[0].type: is \"sun\""));
   EXPECT_THAT(fault("{\"lights\": [{\"type\": \"point\", \"p\": [0,0,0]}]" + one),
               HasSubstr("lights[0]: has no \"intensity\""));
   EXPECT_THAT(fault("{\"probes\": [{\"p\": [0,0,0], \"n\": [0,0,0]}]" + one),
@@ -205,6 +205,28 @@ TEST_F(SceneReader, HashFollowsTheBytes) {
   const std::string text = "{\"surfaces\": [{" + std::string(triangle) + "}]}";
   EXPECT_EQ(read(text).hash, read(text).hash);
   EXPECT_NE(read(text).hash, read(text + " ").hash);
+}
+
+TEST_F(SceneReader, RoomsAreReadInMetres) {
+  const Scene scene = read(
+      R"({"units": "cm", "rooms": [
+          {"name": 101, "longName": "Office", "storey": "EG", "bbox": [[0, 0, 0], [400, 300, 250]],
+           "floorArea": 120000, "required_lx": 500},
+          {"name": "l", "outline": [[0, 0], [0, 200], [200, 200], [200, 0]], "z": [0, 300]}],
+          "surfaces": [{)" +
+      std::string(triangle) + "}]}");
+  ASSERT_EQ(scene.building.rooms.size(), 2u);
+  const BuildingRoom& office = scene.building.rooms[0];
+  EXPECT_EQ(office.name, "101");
+  EXPECT_EQ(office.long_name, "Office");
+  EXPECT_EQ(office.storey, "EG");
+  EXPECT_DOUBLE_EQ(office.box.hi.z, 2.5);
+  EXPECT_DOUBLE_EQ(office.floor_area_m2, 12.0);
+  EXPECT_DOUBLE_EQ(office.required_lx, 500.0);
+  const BuildingRoom& other = scene.building.rooms[1];
+  // Its outline ran clockwise.
+  EXPECT_EQ(other.outline, (std::vector<Vec2>{{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
+  EXPECT_DOUBLE_EQ(other.box.hi.z, 3.0);
 }
 
 }  // namespace

@@ -83,6 +83,32 @@ TEST(SequentialSolver, ReflectedLightIsAbsorbedInTheEnd) {
   EXPECT_GT(mean_irradiance(s.solution, 0), mean_irradiance(s.solution, 1));
 }
 
+TEST(SequentialSolver, TargetPointsLeaveOtherRoomsRough) {
+  Scene scene = cube(0.5);
+  const std::size_t walls = scene.surfaces.size();
+  for (const double x : {2.0, 4.0, 6.0}) {
+    for (std::size_t i = 0; i < walls; ++i) {
+      scene.surfaces.push_back(scene.surfaces[i]);
+      for (Vec3& v : scene.surfaces.back().vertices) v.x += x;
+    }
+  }
+  SolverConfig config;
+  config.target_error = 0.002;
+  const Solved everywhere = solve(scene, config);
+  config.gather.target_points = {{{0.5, 0.5, 0.2}, {0, 0, 1}}, {{0.2, 0.7, 0.2}, {0, 0, 1}}};
+  const Solved there = solve(scene, config);
+  EXPECT_TRUE(there.solution.converged);
+  const auto links = [](const Solved& s) { return s.solution.history.back().figures.links; };
+  EXPECT_LT(static_cast<double>(links(there)), 0.5 * static_cast<double>(links(everywhere)));
+  const auto at_points = [&](const Solved& s) {
+    const PointGather gather(s.solution.clusters, {}, s.occluders, {});
+    double sum = 0.0;
+    for (const Probe& p : config.gather.target_points) sum += gather.irradiance(p.p, p.n)[0];
+    return sum;
+  };
+  EXPECT_NEAR(at_points(there) / at_points(everywhere), 1.0, 0.004);
+}
+
 TEST(SequentialSolver, EndsAtTheLimitOfIterationsAndSaysSo) {
   SolverConfig config;
   config.max_iterations = 2;

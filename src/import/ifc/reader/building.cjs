@@ -115,14 +115,14 @@ function luminairesOf(model, shapes, warn) {
     const line = model.line(id), name = model.text(line?.Name), box = boxOf(shapes.get(id));
     const type = (model.types.get(id) ?? []).map(t => model.text(model.line(t)?.Name))[0] ?? model.text(line?.ObjectType);
     const flux = model.number(id, n => fluxNames.test(n)) ?? sourceFlux(model, id);
+    const placed = typeof plain(line?.ObjectPlacement) === 'number' &&
+        model.api.GetWorldTransformMatrix(model.id, plain(line.ObjectPlacement));
     let place = box && [(box[0][0] + box[1][0]) / 2, (box[0][1] + box[1][1]) / 2, box[0][2] - 0.01];
-    if (!place && typeof plain(line?.ObjectPlacement) === 'number') {
-      const m = model.api.GetWorldTransformMatrix(model.id, plain(line.ObjectPlacement));
-      place = [metres * m[12], metres * m[13], metres * m[14]];
-    }
-    if (!(flux > 0)) warn(`lamp "${name}"`, 'tells no luminous flux: it stays dark');
+    if (!place && placed) place = [metres * placed[12], metres * placed[13], metres * placed[14]];
     if (!place) warn(`lamp "${name}"`, 'has neither a shape nor a place: left out');
-    return {name, type: type ?? '', p: place, flux_lm: flux > 0 ? flux : 0};
+    // A fixture hangs along its own z axis.
+    const axes = placed ? {aim: [-placed[8], -placed[9], -placed[10]], up: [placed[4], placed[5], placed[6]]} : {};
+    return {name, type: type ?? '', p: place, flux_lm: flux > 0 ? flux : 0, ...axes};
   }).filter(lamp => lamp.p);
 }
 

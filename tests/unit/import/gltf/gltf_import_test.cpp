@@ -179,7 +179,12 @@ TEST(GltfImport, LampsInManyNodesAndOfAllKinds) {
   EXPECT_NEAR(scene.lights[1].intensity[0], 10.0, 1e-12);
   EXPECT_NEAR(scene.lights[2].intensity[0], 5.0, 1e-9);  // half of all directions
   EXPECT_NEAR(scene.lights[2].p.z, 2.0, 1e-12);
-  EXPECT_THAT(all_warnings(warnings), HasSubstr("\"lamp#3\": spot light: its flux is kept"));
+  ASSERT_TRUE(scene.lights[2].cone);
+  EXPECT_NEAR(scene.lights[2].cone->outer, pi / 2, 1e-12);
+  // Lamps shine along their nodes' -z, which is +y of a scene with z up.
+  EXPECT_LT(glm::length(scene.lights[2].frame.aim - Vec3(0, 1, 0)), 1e-12);
+  EXPECT_NEAR(relative_intensity(scene.lights[2], {0.3, 1, 0}), 2.0, 1e-3);
+  EXPECT_EQ(relative_intensity(scene.lights[2], {0, -1, 0}), 0.0);
   EXPECT_THAT(all_warnings(warnings), HasSubstr("light of type \"directional\": left out"));
 }
 

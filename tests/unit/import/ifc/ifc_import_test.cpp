@@ -160,6 +160,10 @@ TEST_F(IfcImport, SpacesBecomeRoomsAndFixturesLights) {
   EXPECT_LT(glm::length(scene.lights[0].p - Vec3(2, 2.5, 2.89)), 1e-4);
   ASSERT_EQ(scene.building.luminaires.size(), 2u);
   EXPECT_EQ(scene.building.luminaires[0].flux_lm, 3000.0);
+  EXPECT_EQ(scene.building.luminaires[0].light, 0);
+  EXPECT_EQ(scene.building.luminaires[1].light, -1);
+  EXPECT_LT(glm::length(scene.building.luminaires[0].aim - Vec3(0, 0, -1)), 1e-9);
+  EXPECT_LT(glm::length(scene.building.luminaires[0].up - Vec3(0, 1, 0)), 1e-9);
   EXPECT_THAT(warnings, HasSubstr("lamp \"lamp B\": tells no luminous flux"));
 }
 

@@ -12,9 +12,16 @@ TEST(SceneBytes, AllComesBack) {
   scene.unit = ExitanceUnit::lumen_per_m2;
   scene.hash = 42;
   scene.surfaces.push_back(
-      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.1, 0.2}, {3.0, 4.0}, "name", "object", true});
-  scene.surfaces.push_back({{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {0.5, 0.5}, {0, 0}, "", "", false});
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.1, 0.2}, {3.0, 4.0}, "name", "object", false});
+  scene.surfaces.push_back({{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {0.5, 0.5}, {0, 0}, "", "", true});
   scene.lights.push_back({{1, 2, 3}, {5.0, 6.0}});
+  scene.lights.push_back(spot_light({1, 1, 1}, {1, 0, -1}, {2.0, 3.0}, {0.1, 0.2}));
+  IntensityTable table{PhotometryType::c, {0, 90}, {0, 45, 90}, {3, 2, 1, 3, 1, 0}};
+  scene.surfaces[0].distribution = std::make_shared<const IntensityDistribution>(table);
+  scene.surfaces[0].up = {0, 1, 0};
+  scene.lights.push_back({{2, 2, 2}, {1.0, 1.0}});
+  scene.lights.back().distribution = scene.surfaces[0].distribution;
+  scene.lights.back().shape = {OpeningShape::disc, {0.2, 0.2, 0}};
   scene.building.rooms.push_back(
       {"1", "Office", "Level 1", {{0, 0, 0}, {4, 5, 3}}, {{0, 0}, {4, 0}, {4, 5}}, 20.0, 500.0});
   scene.building.portals.push_back({"IfcDoor", "door", {{0, 0, 0}, {1, 0.1, 2}}, 0.7});
@@ -26,8 +33,8 @@ TEST(SceneBytes, AllComesBack) {
   EXPECT_EQ(all_warnings(found), "here: is a fault\n");
   EXPECT_EQ(back.hash, 42u);
   ASSERT_EQ(back.surfaces.size(), 2u);
-  EXPECT_TRUE(back.surfaces[0].two_sided);
-  EXPECT_FALSE(back.surfaces[1].two_sided);
+  EXPECT_EQ(back.lights.at(2).distribution, back.surfaces[0].distribution);
+  EXPECT_TRUE(back.surfaces[1].two_sided);
   const TemporaryFolder folder;
   write_scene(scene, folder.file("a.json"));
   write_scene(back, folder.file("b.json"));

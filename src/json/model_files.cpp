@@ -1,4 +1,4 @@
-#include "import/intake/model_files.hpp"
+#include "json/model_files.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

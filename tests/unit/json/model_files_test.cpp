@@ -1,4 +1,4 @@
-#include "import/intake/model_files.hpp"
+#include "json/model_files.hpp"
 
 #include <sys/stat.h>
 

@@ -1,0 +1,23 @@
+// The table of a solved run's rooms.
+#pragma once
+
+#include <span>
+
+#include "app/outputs/solved_run.hpp"
+#include "report/room_table/room_table.hpp"
+
+namespace enfilade {
+
+/// What a survey does, and its rays: a room's figures are of many points, so that each needs fewer
+/// than a probe.
+struct RunSurvey {
+  SurveyConfig survey;
+  PointGatherConfig gather{.rays = 256, .noise = 0.02};
+};
+
+/// Surveys the rooms of the run's scene, or its cells where it names none, and the glare at
+/// `places`. What rooms ask for in lux counts only where the scene's light is in lumens.
+RoomTable survey_run(const SolvedRun& run, const RunSurvey& config,
+                     std::span<const GlarePlace> places = {}, const Progress& progress = {});
+
+}  // namespace enfilade

@@ -1,0 +1,219 @@
+#include "scene_file/probe_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/limits.hpp"
+#include "base/safe_text.hpp"
+#include "json/json_text.hpp"
+#include "scene_file/csv_records.hpp"
+
+namespace enfilade {
+namespace {
+
+constexpr std::array<const char*, 6> coordinate_names{"x", "y", "z", "nx", "ny", "nz"};
+
+/// Returns none for what is no number, and for what is none that is finite.
+std::optional<double> number_in(const std::string& field) {
+  const char* begin = field.data() + (field.starts_with('+') ? 1 : 0);
+  const char* end = field.data() + field.size();
+  double x = 0.0;
+  const auto [rest, fault] = std::from_chars(begin, end, x);
+  if (fault != std::errc() || rest != end || begin == end || !std::isfinite(x)) return std::nullopt;
+  return x;
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Where the six coordinates stand among the columns; the last three may be missing.
+struct Layout {
+  std::array<std::size_t, 6> column{};
+  bool has_normals = false;
+};
+
+class TableReader {
+ public:
+  explicit TableReader(ProbeFile file) : file_(std::move(file)) {}
+
+  ProbeFile read() {
+    const std::vector<CsvRecord> records = csv_records(file_.text, file_.path);
+    if (records.empty())
+      throw InputError(file_.path, "line 1", "there are no points", "write x,y,z on a line each");
+    const bool has_header = !number_in(records[0].fields[0]);
+    has_header ? read_header(records[0]) : make_header(records[0]);
+    for (std::size_t i = has_header ? 1 : 0; i < records.size(); ++i) read_row(records[i]);
+    if (file_.probes.empty()) {
+      throw InputError(file_.path, "line " + std::to_string(records[0].line + 1),
+                       "there are no points below the header", "write x,y,z on a line each");
+    }
+    return std::move(file_);
+  }
+
+ private:
+  void read_header(const CsvRecord& record) {
+    file_.table.columns = record.fields;
+    file_.table.header = record.text;
+    std::size_t normals = 0;
+    for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
+      const auto it = std::ranges::find_if(record.fields, [&](const std::string& name) {
+        return lower(name) == coordinate_names[i];
+      });
+      const bool found = it != record.fields.end();
+      normals += i >= 3 && found;
+      layout_.column[i] = static_cast<std::size_t>(it - record.fields.begin());
+      if (!found && i < 3) {
+        throw InputError(file_.path, "line " + std::to_string(record.line),
+                         std::string("the header has no column ") + in_quotes(coordinate_names[i]),
+                         "name the columns x,y,z or x,y,z,nx,ny,nz, separated by commas");
+      }
+    }
+    if (normals == 1 || normals == 2) {
+      throw InputError(file_.path, "line " + std::to_string(record.line),
+                       "the header has not all of nx, ny and nz", "name all three, or none");
+    }
+    layout_.has_normals = normals == 3;
+  }
+
+  void make_header(const CsvRecord& record) {
+    const std::size_t count = record.fields.size();
+    layout_.has_normals = count >= 6 && number_in(record.fields[3]) &&
+                          number_in(record.fields[4]) && number_in(record.fields[5]);
+    for (std::size_t i = 0; i < std::max<std::size_t>(count, 3); ++i) {
+      const bool named = i < (layout_.has_normals ? 6u : 3u);
+      file_.table.columns.push_back(named ? coordinate_names[i] : fmt::format("column_{}", i + 1));
+    }
+    for (std::size_t i = 0; i < 6; ++i) layout_.column[i] = i;
+    for (const std::string& name : file_.table.columns)
+      file_.table.header += (file_.table.header.empty() ? "" : ",") + name;
+  }
+
+  void read_row(const CsvRecord& record) {
+    const std::size_t count = file_.table.columns.size();
+    if (record.fields.size() != count) {
+      throw InputError(
+          file_.path, "line " + std::to_string(record.line),
+          fmt::format("has {} fields, where {} are named", record.fields.size(), count),
+          "write as many on each line, separated by commas, with a point in numbers");
+    }
+    Probe probe;
+    for (std::size_t i = 0; i < 3; ++i) probe.p[static_cast<int>(i)] = number(record, i);
+    check(record, 0, limits::fault_of_place(probe.p));
+    if (layout_.has_normals) {
+      for (std::size_t i = 0; i < 3; ++i) probe.n[static_cast<int>(i)] = number(record, 3 + i);
+      check(record, 3, limits::fault_of_direction(probe.n));
+      probe.n = limits::unit(probe.n);
+    }
+    file_.probes.push_back(probe);
+    file_.table.lines.emplace_back(record.text);
+    file_.table.rows.push_back(record.fields);
+  }
+
+  std::string place(const CsvRecord& record, std::size_t coordinate) const {
+    const std::size_t column = layout_.column[coordinate];
+    return csv_place(record, column, file_.table.columns[column]);
+  }
+
+  double number(const CsvRecord& record, std::size_t coordinate) const {
+    const std::string& field = record.fields[layout_.column[coordinate]];
+    if (const auto x = number_in(field)) return *x;
+    throw InputError(file_.path, place(record, coordinate),
+                     "is " + in_quotes(field) + ", not a finite number",
+                     coordinate < 3 ? "write metres, as in 1.25" : "write a number, as in 0 or -1");
+  }
+
+  void check(const CsvRecord& record, std::size_t coordinate, const limits::Fault& fault) const {
+    if (fault) throw InputError(file_.path, place(record, coordinate), fault.what, fault.hint);
+  }
+
+  ProbeFile file_;
+  Layout layout_;
+};
+
+/// "E" of one band; "E_0", "E_1", ... of several.
+std::string band_columns(const char* name, std::size_t bands) {
+  if (bands == 1) return std::string(",") + name;
+  std::string columns;
+  for (std::size_t b = 0; b < bands; ++b) columns += fmt::format(",{}_{}", name, b);
+  return columns;
+}
+
+/// The columns of a JSON source, of which only names are kept beside the coordinates.
+ProbeTable table_of_json(const ProbeFile& source) {
+  ProbeTable table;
+  table.header = "x,y,z,nx,ny,nz";
+  const nlohmann::json document = parse_json(source.text, source.path);
+  const nlohmann::json& probes = document["probes"];
+  const bool named = std::ranges::any_of(probes, [](const nlohmann::json& probe) {
+    return probe.contains("name") && probe["name"].is_string();
+  });
+  if (named) table.header += ",name";
+  for (std::size_t i = 0; i < source.probes.size(); ++i) {
+    const Probe& probe = source.probes[i];
+    std::string line = fmt::format("{},{},{},{},{},{}", probe.p.x, probe.p.y, probe.p.z, probe.n.x,
+                                   probe.n.y, probe.n.z);
+    if (named) {
+      const nlohmann::json name = probes[i].value("name", nlohmann::json());
+      line += "," + csv_field(name.is_string() ? name.get<std::string>() : "");
+    }
+    table.lines.push_back(std::move(line));
+  }
+  return table;
+}
+
+}  // namespace
+
+bool is_table(const std::string& path) { return lower(path).ends_with(".csv"); }
+
+ProbeFile read_probe_table(ProbeFile file) { return TableReader(std::move(file)).read(); }
+
+std::string probe_table(const ProbeFile& source, const std::vector<ProbeAnswer>& answers,
+                        const std::string& from, const std::string& unit) {
+  const ProbeTable made = source.table.columns.empty() ? table_of_json(source) : ProbeTable();
+  const ProbeTable& table = source.table.columns.empty() ? made : source.table;
+  const std::size_t bands = answers[0].irradiance.size();
+  std::string csv =
+      table.header + band_columns("E", bands) + band_columns("error", bands) + ",unit,from\n";
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    csv += table.lines[i];
+    for (const Spectrum* light : {&answers[i].irradiance, &answers[i].error}) {
+      for (const double value : *light) csv += fmt::format(",{:.9g}", value);
+    }
+    csv += "," + unit + "," + from + "\n";
+  }
+  return csv;
+}
+
+nlohmann::ordered_json json_of_table(const ProbeFile& source) {
+  nlohmann::ordered_json probes = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < source.probes.size(); ++i) {
+    const Probe& probe = source.probes[i];
+    nlohmann::ordered_json entry{{"p", {probe.p.x, probe.p.y, probe.p.z}},
+                                 {"n", {probe.n.x, probe.n.y, probe.n.z}}};
+    for (std::size_t k = 0; k < source.table.columns.size(); ++k) {
+      const std::string& name = source.table.columns[k];
+      const bool coordinate =
+          std::ranges::find(coordinate_names, lower(name)) != coordinate_names.end();
+      if (coordinate || name.empty() || entry.contains(name)) continue;
+      const std::string& field = source.table.rows[i][k];
+      if (const auto x = number_in(field)) {
+        entry[name] = *x;
+      } else {
+        entry[name] = field;
+      }
+    }
+    probes.push_back(std::move(entry));
+  }
+  return {{"probes", std::move(probes)}};
+}
+
+}  // namespace enfilade
