@@ -82,7 +82,7 @@ BoundState::BoundState(const BoundScene& scene, int threads)
       groups_(polygons_, factors_.tolerance_m()),
       tree_(polygons_) {
   std::vector<Vec3> lights;
-  for (const PointLight& light : scene.lights) lights.push_back(light.p);
+  for (const LightSource& light : scene.lights) lights.push_back(light.p);
   ClosedFronts fronts = closed_fronts(polygons_, lights, factors_.tolerance_m());
   closed_ = std::move(fronts.polygons);
   lights_enclosed_ =
@@ -110,7 +110,7 @@ std::size_t BoundState::closed_polygons() const {
 void BoundState::set_direct(Receiver& receiver) const {
   const BoundNode& node = tree_[receiver.node];
   receiver.direct.assign(scene_.bands, {});
-  for (const PointLight& light : scene_.lights) {
+  for (const LightSource& light : scene_.lights) {
     const LightRange g = direct_bounds(light.p, {node.shape, node.polygon}, factors_);
     if (g.at_points.hi <= 0.0) continue;
     for (std::size_t band = 0; band < scene_.bands; ++band) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bounds/factors/inverse_power.hpp"
 #include "geometry/visible_parts.hpp"
@@ -41,8 +42,18 @@ Range integral(const Vec3& light, const FlatShape& shape, int depth) {
 
 }  // namespace
 
-Range intensity_towards(const PointLight& light, std::size_t band, const FlatShape&) {
-  return {light.intensity[band], light.intensity[band]};
+Range intensity_towards(const LightSource& light, std::size_t band, const FlatShape& receiver) {
+  const double mean = light.intensity[band];
+  if (!light.distribution) return {mean, mean};
+  const Vec3 d = centroid(receiver.polygon) - light.p;
+  const double distance = glm::length(d);
+  double radius = 0.0;
+  for (const Vec3& corner : receiver.polygon)
+    radius = std::max(radius, glm::length(corner - (light.p + d)));
+  ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
+  constexpr double outwards = 1.0 + 1e-9;
+  if (distance > outwards * radius) cone = {d / distance, outwards * std::asin(radius / distance)};
+  return {0.0, outwards * mean * most_relative_intensity(light, cone)};
 }
 
 LightRange direct_bounds(const Vec3& light, const PatchOfPolygon& receiver,

@@ -1,4 +1,4 @@
-// Bounds of the irradiance that point lights give directly.
+// Bounds of the irradiance that lights without an opening give directly.
 #pragma once
 
 #include "bounds/factors/pair_factor.hpp"
@@ -8,8 +8,8 @@
 namespace enfilade {
 
 /// Bounds of a light's intensity (the scene's power unit per sr) in one band over all directions to
-/// points of the receiver.
-Range intensity_towards(const PointLight& light, std::size_t band, const FlatShape& receiver);
+/// points of the receiver. Of a light with a distribution the lower bound is 0.
+Range intensity_towards(const LightSource& light, std::size_t band, const FlatShape& receiver);
 
 /// Bounds of cos / r^2 (1/m2) of a point light, visibility included, over the points of a receiver
 /// and for their mean: irradiance per intensity. With h the light's height above the receiver's
