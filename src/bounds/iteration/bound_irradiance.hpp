@@ -22,7 +22,7 @@ struct BoundPolygon {
 struct BoundScene {
   std::size_t bands = 1;
   std::vector<BoundPolygon> polygons;
-  std::vector<PointLight> lights;
+  std::vector<LightSource> lights;
   /// Sets of polygons (rooms of a building) whose means are asked for. They steer the refinement.
   std::vector<std::vector<std::uint32_t>> targets;
 };

@@ -10,7 +10,7 @@ EnergyBounds::EnergyBounds(const BoundScene& scene, std::vector<double> areas_m2
   for (std::size_t band = 0; band < scene.bands; ++band) {
     for (std::size_t k = 0; k < scene.polygons.size(); ++k)
       power_[band] += areas_m2_[k] * scene.polygons[k].exitance[band];
-    for (const PointLight& light : scene.lights)
+    for (const LightSource& light : scene.lights)
       power_[band] += 4.0 * std::numbers::pi * light.intensity[band];
   }
 }
