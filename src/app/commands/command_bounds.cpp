@@ -26,7 +26,7 @@ constexpr SubcommandText help_text{
     "bounded from\nboth sides, for all points of a patch, and the light is iterated between both. "
     "They hold\n"
     "- for the scene as it was prepared: planar one-sided polygons that reflect and emit "
-    "diffusely,\n  lights and luminaires without an opening (\"size\": 0);\n"
+    "diffusely;\n"
     "- where gaps and offsets below 1e-7 of the scene's extent count as closed;\n"
     "- but for rounding (relative 1e-9 is added).\n"
     "More links never make a limit worse. What cannot be decided within them is left open, so that "

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <numeric>
 
-#include "base/error.hpp"
 #include "base/safe_text.hpp"
 #include "scene/equal_bands.hpp"
 
@@ -134,13 +133,6 @@ const BuildingRoom* room_of_cell(const Prepared& prepared, CellId cell) {
 BoundedRun bounded_run(const Prepared& prepared) {
   BoundedRun run;
   run.scene.bands = static_cast<std::size_t>(prepared.scene.bands);
-  for (const LightSource& light : prepared.scene.lights) {
-    if (light.opening.empty()) continue;
-    throw InputError(prepared.scene.file, "luminaires",
-                     (light.name.empty() ? "a luminaire" : "\"" + light.name + "\"") +
-                         " has a luminous opening, over which its light cannot be bounded",
-                     "give it \"size\": 0, or a plain \"exitance\"");
-  }
   run.scene.lights = prepared.scene.lights;
   std::vector<std::vector<std::uint32_t>> of_cell(prepared.cells.cells().size());
   for (const Cluster& cluster : prepared.clusters) {

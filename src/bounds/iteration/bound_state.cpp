@@ -86,7 +86,9 @@ BoundState::BoundState(const BoundScene& scene, int threads)
   ClosedFronts fronts = closed_fronts(polygons_, lights, factors_.tolerance_m());
   closed_ = std::move(fronts.polygons);
   lights_enclosed_ =
-      std::all_of(fronts.points.begin(), fronts.points.end(), [](char c) { return c; });
+      std::all_of(fronts.points.begin(), fronts.points.end(), [](char c) { return c; }) &&
+      std::all_of(scene.lights.begin(), scene.lights.end(),
+                  [](const LightSource& light) { return light.opening.empty(); });
   receivers_.resize(polygons_.size());
   for (std::size_t k = 0; k < polygons_.size(); ++k) {
     receivers_[k].node = tree_.polygon_nodes()[k];
@@ -111,7 +113,9 @@ void BoundState::set_direct(Receiver& receiver) const {
   const BoundNode& node = tree_[receiver.node];
   receiver.direct.assign(scene_.bands, {});
   for (const LightSource& light : scene_.lights) {
-    const LightRange g = direct_bounds(light.p, {node.shape, node.polygon}, factors_);
+    const PatchOfPolygon patch{node.shape, node.polygon};
+    const LightRange g = light.opening.empty() ? direct_bounds(light.p, patch, factors_)
+                                               : opening_bounds(light, patch, factors_);
     if (g.at_points.hi <= 0.0) continue;
     for (std::size_t band = 0; band < scene_.bands; ++band) {
       const Range i = intensity_towards(light, band, node.shape);

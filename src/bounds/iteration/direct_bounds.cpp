@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "bounds/factors/inverse_power.hpp"
 #include "geometry/visible_parts.hpp"
 
@@ -44,16 +45,36 @@ Range integral(const Vec3& light, const FlatShape& shape, int depth) {
 
 Range intensity_towards(const LightSource& light, std::size_t band, const FlatShape& receiver) {
   const double mean = light.intensity[band];
-  if (!light.distribution) return {mean, mean};
-  const Vec3 d = centroid(receiver.polygon) - light.p;
-  const double distance = glm::length(d);
-  double radius = 0.0;
-  for (const Vec3& corner : receiver.polygon)
-    radius = std::max(radius, glm::length(corner - (light.p + d)));
+  if (light.distribution == nullptr && !light.cone) return {mean, mean};
+  // A cone about the middle of both that holds all directions between them.
+  double reach = receiver.radius_m;
+  for (const Polygon& part : light.opening) {
+    for (const Vec3& p : part)
+      reach = std::max(reach, receiver.radius_m + glm::length(p - light.p));
+  }
+  const Vec3 direction = receiver.center - light.p;
+  const double distance = glm::length(direction);
   ViewCone cone{Vec3(0.0, 0.0, 1.0), std::numbers::pi};
-  constexpr double outwards = 1.0 + 1e-9;
-  if (distance > outwards * radius) cone = {d / distance, outwards * std::asin(radius / distance)};
-  return {0.0, outwards * mean * most_relative_intensity(light, cone)};
+  if (distance > reach) cone = {direction / distance, std::asin(reach / distance)};
+  return {0.0, mean * most_relative_intensity(light, cone)};
+}
+
+LightRange opening_bounds(const LightSource& light, const PatchOfPolygon& receiver,
+                          const PairFactors& scene) {
+  LightRange e;
+  for (const Polygon& part : light.opening) {
+    double height = 0.0;
+    for (const Vec3& p : part) height = std::max(height, receiver.shape.plane.signed_distance(p));
+    if (height <= scene.tolerance_m()) continue;
+    const double least = least_distance(FlatShape(part, plane_of(part)), receiver.shape);
+    if (least <= 0.0) {
+      throw InputError("scene", "lights", "the opening of a light touches a surface in front of it",
+                       "move the light; bounds know no limit of its light there");
+    }
+    e.at_points.hi = std::max(e.at_points.hi, std::min(1.0, height / least) / (least * least));
+  }
+  e.mean.hi = e.at_points.hi;
+  return e;
 }
 
 LightRange direct_bounds(const Vec3& light, const PatchOfPolygon& receiver,

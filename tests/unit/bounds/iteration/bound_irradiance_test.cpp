@@ -97,7 +97,9 @@ TEST(BoundIrradiance, APointLightInACubeGivesASixthToEachSide) {
   BoundScene scene;
   add_box(scene, Vec3(0), Vec3(4));
   for (BoundPolygon& p : scene.polygons) p.reflectance = {0.0};
-  scene.lights.push_back({Vec3(2), {10.0}});
+  scene.lights.emplace_back();
+  scene.lights.back().p = Vec3(2);
+  scene.lights.back().intensity = {10.0};
   const BoundResult found = bound(scene, 500);
   for (const auto& ranges : found.polygons) {
     expect_holds(ranges[0], 10.0 * 4.0 * std::numbers::pi / (6.0 * 16.0));
