@@ -581,6 +581,23 @@ class Workflow(InScratch):
         self.assertLess(self.stats(rough)["links"], self.stats()["links"])
         self.assertEqual(self.stats(constant)["basis"], "constant")
 
+    def test_target_points_take_fewer_links(self):
+        points = self.scratch / "points.json"
+        points.write_text(json.dumps({"probes": [{"p": [2.0, 1.8, 0.75], "n": [0, 0, 1]}, {"p": [1.0, 1.0, 0.75], "n": [0, 0, 1]}]}))
+        light, links = {}, {}
+        for name, ranks, options in [("all", 1, []), ("points", 1, ["--target-error-at", points]), ("ranks", 3, ["--target-error-at", points])]:
+            run, answers = self.scratch / name, self.scratch / (name + ".json")
+            result = enfilade("solve", ROOT / "scenes/two_rooms.json", "-o", run, "--no-pictures", "--quiet", "--target-error", "0.01", *options, ranks=ranks)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(enfilade("probe", run, "--points", points, "-o", answers).returncode, 0)
+            light[name] = [q["E"][0] for q in json.loads(answers.read_text())["probes"]]
+            links[name] = self.stats(run)["links"]
+        self.assertLess(links["points"], 0.7 * links["all"])
+        for name in ("points", "ranks"):
+            for found, known in zip(light[name], light["all"]):
+                self.assertAlmostEqual(found / known, 1.0, delta=0.01)
+        self.assert_refused(enfilade("solve", ROOM, "-o", self.scratch / "none", "--target-error-at", self.scratch / "none.json"), "none.json")
+
     def test_resume_of_a_finished_run_changes_nothing(self):
         run = self.scratch / "run"
         shutil.copytree(self.run_directory, run)

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/random.hpp"
+#include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
 
 namespace enfilade {
@@ -104,6 +105,27 @@ TEST(BoundIrradiance, APointLightInACubeGivesASixthToEachSide) {
   for (const auto& ranges : found.polygons) {
     expect_holds(ranges[0], 10.0 * 4.0 * std::numbers::pi / (6.0 * 16.0));
     EXPECT_LT(relative_width(ranges[0]), 1e-3);
+  }
+}
+
+TEST(BoundIrradiance, HoldsTheLightOfAnOpening) {
+  BoundScene scene;
+  add_box(scene, Vec3(0), Vec3(4));
+  for (BoundPolygon& p : scene.polygons) p.reflectance = {0.0};
+  LightSource& light = scene.lights.emplace_back();
+  light.p = Vec3(2, 2, 3);
+  light.intensity = {10.0};
+  light.opening = {{{1.5, 1.5, 3}, {2.5, 1.5, 3}, {2.5, 2.5, 3}, {1.5, 2.5, 3}}};
+  const BoundResult found = bound(scene, 500);
+  constexpr int side = 40;
+  for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
+    double flux = 0.0;  // each point of the opening sends to all directions alike
+    for (int i = 0; i < side * side; ++i) {
+      const Vec3 y(1.5 + (i % side + 0.5) / side, 1.5 + (i / side + 0.5) / side, 3.0);
+      flux += 10.0 * solid_angle(y, scene.polygons[k].polygon) / (side * side);
+    }
+    expect_holds(found.polygons[k][0], flux / 16.0);
+    EXPECT_LT(found.polygons[k][0].hi, 8.0 * flux / 16.0);
   }
 }
 
