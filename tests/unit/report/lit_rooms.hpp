@@ -9,26 +9,9 @@
 #include <vector>
 
 #include "report/pictures/solved_scene.hpp"
+#include "unit/geometry/box_faces.hpp"
 
 namespace enfilade::test {
-
-/// A box's six faces; `inward`: they look into it.
-inline std::vector<Polygon> box_faces(const Vec3& lo, const Vec3& hi, bool inward) {
-  const auto p = [&](int x, int y, int z) {
-    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
-  };
-  std::vector<Polygon> faces{{p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)},
-                             {p(0, 0, 1), p(0, 1, 1), p(1, 1, 1), p(1, 0, 1)},
-                             {p(0, 0, 0), p(0, 0, 1), p(1, 0, 1), p(1, 0, 0)},
-                             {p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1)},
-                             {p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1)},
-                             {p(1, 0, 0), p(1, 0, 1), p(1, 1, 1), p(1, 1, 0)}};
-  // As written they look inward: the floor's vertices run counter-clockwise seen from above.
-  if (!inward) {
-    for (Polygon& f : faces) std::reverse(f.begin(), f.end());
-  }
-  return faces;
-}
 
 struct LitRooms {
   Scene scene;

@@ -4,24 +4,14 @@
 
 #include <algorithm>
 
+#include "unit/geometry/box_faces.hpp"
+
 namespace enfilade {
 namespace {
 
 /// The six sides of a box, their fronts inside, or outside where `solid`.
 std::vector<Polygon> box(const Vec3& lo, const Vec3& hi, bool solid = false) {
-  const auto corner = [&](int x, int y, int z) {
-    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
-  };
-  std::vector<Polygon> sides{{corner(0, 0, 0), corner(1, 0, 0), corner(1, 1, 0), corner(0, 1, 0)},
-                             {corner(0, 0, 1), corner(0, 1, 1), corner(1, 1, 1), corner(1, 0, 1)},
-                             {corner(0, 0, 0), corner(0, 0, 1), corner(1, 0, 1), corner(1, 0, 0)},
-                             {corner(0, 1, 0), corner(1, 1, 0), corner(1, 1, 1), corner(0, 1, 1)},
-                             {corner(0, 0, 0), corner(0, 1, 0), corner(0, 1, 1), corner(0, 0, 1)},
-                             {corner(1, 0, 0), corner(1, 0, 1), corner(1, 1, 1), corner(1, 1, 0)}};
-  if (solid) {
-    for (Polygon& side : sides) std::reverse(side.begin(), side.end());
-  }
-  return sides;
+  return test::box_faces(lo, hi, !solid);
 }
 
 std::size_t closed(std::vector<Polygon> polygons) {

@@ -10,25 +10,15 @@
 #include "base/random.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "unit/geometry/box_faces.hpp"
 
 namespace enfilade {
 namespace {
 
 /// Adds the six sides of a box, their fronts inside, or outside where `solid`.
 void add_box(BoundScene& scene, const Vec3& lo, const Vec3& hi, bool solid = false) {
-  const auto corner = [&](int x, int y, int z) {
-    return Vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
-  };
-  std::vector<Polygon> sides{{corner(0, 0, 0), corner(1, 0, 0), corner(1, 1, 0), corner(0, 1, 0)},
-                             {corner(0, 0, 1), corner(0, 1, 1), corner(1, 1, 1), corner(1, 0, 1)},
-                             {corner(0, 0, 0), corner(0, 0, 1), corner(1, 0, 1), corner(1, 0, 0)},
-                             {corner(0, 1, 0), corner(1, 1, 0), corner(1, 1, 1), corner(0, 1, 1)},
-                             {corner(0, 0, 0), corner(0, 1, 0), corner(0, 1, 1), corner(0, 0, 1)},
-                             {corner(1, 0, 0), corner(1, 0, 1), corner(1, 1, 1), corner(1, 1, 0)}};
-  for (Polygon& side : sides) {
-    if (solid) std::reverse(side.begin(), side.end());
-    scene.polygons.push_back({side, {0.5}, {0.0}});
-  }
+  for (Polygon& side : test::box_faces(lo, hi, !solid))
+    scene.polygons.push_back({std::move(side), {0.5}, {0.0}});
 }
 
 /// All polygons are one room.
