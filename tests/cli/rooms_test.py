@@ -5,27 +5,19 @@ rooms_test.py ENFILADE [unittest arguments]"""
 import csv
 import json
 import math
-import os
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 
+import cli_test
+from cli_test import enfilade
 from room_scenes import block, box, lamp, prism, scene
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-ENFILADE = os.environ.get("ENFILADE", "")
 L_SHAPE = [(0, 0), (6, 0), (6, 2), (2, 2), (2, 5), (0, 5)]
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-
-
-def enfilade(*args):
-    return subprocess.run([ENFILADE, *map(str, args)], capture_output=True, text=True, timeout=240)
 
 
 def factor_to_polygon(points, normals, corners):
@@ -44,11 +36,7 @@ def factor_to_polygon(points, normals, corners):
     return -total / (2 * math.pi)  # the polygon's front looks at the points
 
 
-class InScratch(unittest.TestCase):
-    def setUp(self):
-        self.scratch = Path(tempfile.mkdtemp(prefix="enfilade-rooms-"))
-        self.addCleanup(shutil.rmtree, self.scratch, ignore_errors=True)
-
+class InScratch(cli_test.InScratch):
     def write(self, name, content):
         path = self.scratch / name
         path.write_text(content if isinstance(content, str) else json.dumps(content))
@@ -66,14 +54,6 @@ class InScratch(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         with path.open(newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
-
-    def assert_refused(self, result, *words):
-        self.assertEqual(result.returncode, 2, result.stderr)
-        errors = [line for line in result.stderr.splitlines() if line.startswith("enfilade: error: ")]
-        self.assertEqual(len(errors), 1, result.stderr)
-        self.assertRegex(errors[0], r"^enfilade: error: [^:]+: .+: .+; .+")
-        for word in words:
-            self.assertIn(word, errors[0])
 
 
 class ClosedForm(InScratch):
@@ -438,5 +418,5 @@ class Again(InScratch):
 
 
 if __name__ == "__main__":
-    ENFILADE = sys.argv.pop(1)
+    cli_test.ENFILADE = sys.argv.pop(1)
     unittest.main()

@@ -76,7 +76,8 @@ void add_accuracy_options(CLI::App& sub, SolveOptions& o) {
   group.add(
       "--target-error-at", o.target_error_at,
       "Hold the target error at the points of this probe file alone, for light gathered for "
-      "(probe): links are fine where the light on its way there needs it, and rough elsewhere");
+      "(probe): links are fine where the light on its way there needs it, and rough elsewhere. To "
+      "go on with --resume, give it again");
   group.add("--patch-links", o.patch_links,
             "Hold what is read off patches (surfaces.csv, pictures, model) to the target error as "
             "well, until there are more links than this; past it only light gathered for (probe) "
