@@ -5,7 +5,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "final_gather/mean_light.hpp"
 #include "geometry/form_factor.hpp"
+#include "geometry/sampling.hpp"
 
 namespace enfilade {
 namespace {
@@ -21,61 +23,85 @@ constexpr double smallest_part = 5e-4;
 constexpr double far_areas = 16.0;
 /// Share of the bright emitters' unoccluded light at a point below which one is left out.
 constexpr double negligible = 1e-6;
-
-double largest_radiosity(const PatchForest& f, std::size_t k) {
-  const auto terms = static_cast<std::size_t>(f.terms());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms) {
-    largest = std::max(largest, f.radiosity(k)[i]);
-  }
-  return largest;
-}
+/// Of the bright emitters' unoccluded light: what is taken for the light at a point at least.
+constexpr double least_seen = 1e-3;
+/// Polygons that are not bright and controlled all the same.
+constexpr std::size_t most_controlled = 64;
+/// Of the noise allowed: what the polygons that are left to the rays may give.
+constexpr double rays_share = 0.5;
 
 }  // namespace
 
 EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occluders& occluders)
     : clusters_(clusters), occluders_(&occluders) {
-  double area = 0.0, power = 0.0;
   std::size_t polygons = 0;
-  for (const ClusterState& c : clusters) {
-    const PatchForest& f = c.patches();
-    polygons += f.polygons();
-    for (std::size_t k = 0; k < f.polygons(); ++k) {
-      area += f.node(k).shape.area_m2;
-      power += f.node(k).shape.area_m2 * largest_radiosity(f, k);
-    }
-  }
+  for (const ClusterState& c : clusters) polygons += c.patches().polygons();
   is_bright_.assign(polygons, false);
-  const double limit = area > 0.0 ? bright_ratio * power / area : 0.0;
-  for (const ClusterState& c : clusters) {
-    const PatchForest& f = c.patches();
-    for (std::uint32_t k = 0; k < f.polygons(); ++k) {
-      const double largest = largest_radiosity(f, k);
-      if (largest <= 0.0) continue;
-      const std::uint32_t number = occluders.global(c.id(), k);
-      is_bright_[number] = largest > limit;
-      (largest > limit ? bright_ : others_)
-          .push_back({number, &f, k, corners_of(f.frames()[k], f.node(k).shape), largest, 0.0});
-      Emitter& added = (largest > limit ? bright_ : others_).back();
-      for (const Vec3& corner : added.corners) {
-        const Vec3 d = corner - f.frames()[k].origin;
-        added.size2 = std::max(added.size2, glm::dot(d, d));
-      }
+  const double limit = bright_ratio * mean_radiosity_over(clusters);
+  const auto each = [&](const auto& action) {
+    for (const ClusterState& c : clusters) {
+      for (std::uint32_t k = 0; k < c.patches().polygons(); ++k)
+        action(occluders.global(c.id(), k), c.patches(), k);
     }
+  };
+  each([&](std::uint32_t number, const PatchForest& f, std::uint32_t k) {
+    const double largest = largest_radiosity(f, k);
+    is_bright_[number] = largest > limit;
+    if (is_bright_[number]) add_source(number, f, k, largest);
+  });
+  bright_ = sources_.size();
+  each([&](std::uint32_t number, const PatchForest& f, std::uint32_t k) {
+    if (!is_bright_[number] && !f.node(k).leaf()) add_hot(number, f, k, limit);
+  });
+}
+
+void EmitterSampler::add_source(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
+                                double largest_radiosity) {
+  Emitter added{polygon, &forest, static_cast<std::uint32_t>(node), {}, largest_radiosity, 0.0};
+  added.corners = corners_of(added.frame(), added.shape());
+  for (const Vec3& corner : added.corners) {
+    const Vec3 d = corner - added.center();
+    added.size2 = std::max(added.size2, glm::dot(d, d));
+  }
+  sources_.push_back(std::move(added));
+}
+
+void EmitterSampler::add_hot(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
+                             double limit) {
+  const double largest = largest_radiosity(forest, node);
+  if (largest > limit) {
+    add_source(polygon, forest, node, largest);
+    hot_.emplace_back(polygon, sources_.back().node);
+  } else if (!forest.node(node).leaf()) {
+    for (const int i : {0, 1})
+      add_hot(polygon, forest, static_cast<std::size_t>(forest.node(node).first_child + i), limit);
   }
 }
 
-/// The irradiance (largest band) that each polygon would give at p if nothing hid it.
-std::vector<double> EmitterSampler::unoccluded(const std::vector<Emitter>& polygons, const Vec3& p,
-                                               const Vec3& n, std::uint32_t own) {
-  std::vector<double> weight(polygons.size(), 0.0);
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const Emitter& b = polygons[i];
-    const PolygonFrame& frame = b.forest->frames()[b.k];
+bool EmitterSampler::hot(std::uint32_t polygon, const Vec3& y) const {
+  const auto first = std::lower_bound(hot_.begin(), hot_.end(), std::pair{polygon, 0u});
+  if (first == hot_.end() || first->first != polygon) return false;
+  const PolygonRef ref = occluders_->local(polygon);
+  const PatchForest& forest = clusters_[ref.cluster.index()].patches();
+  for (auto node = static_cast<std::int32_t>(forest.leaf_at(ref.polygon, y)); node >= 0;
+       node = forest.node(static_cast<std::size_t>(node)).parent) {
+    if (std::binary_search(first, hot_.end(), std::pair{polygon, static_cast<std::uint32_t>(node)}))
+      return true;
+  }
+  return false;
+}
+
+/// The irradiance (largest band) that each bright emitter would give at p if nothing hid it.
+std::vector<double> EmitterSampler::unoccluded(const Vec3& p, const Vec3& n,
+                                               std::uint32_t own) const {
+  std::vector<double> weight(bright_, 0.0);
+  for (std::size_t i = 0; i < bright_; ++i) {
+    const Emitter& b = sources_[i];
+    const PolygonFrame& frame = b.frame();
     const Vec3 d = frame.origin - p;  // from the polygon's centroid
     const double sent = -glm::dot(frame.n, d), r2 = glm::dot(d, d);
     if (b.polygon == own || sent <= 0.0) continue;
-    const double m2 = b.forest->node(b.k).shape.area_m2, received = glm::dot(n, d);
+    const double m2 = b.shape().area_m2, received = glm::dot(n, d);
     // Far away the kernel to the middle will do; near the horizon a part may still be above it.
     const bool is_far = r2 > far_areas * b.size2;
     if (is_far && received < -std::sqrt(b.size2)) continue;
@@ -84,22 +110,6 @@ std::vector<double> EmitterSampler::unoccluded(const std::vector<Emitter>& polyg
                                            : point_to_polygon(p, n, b.corners));
   }
   return weight;
-}
-
-/// Mean radiosity of the other polygons that are not controlled, by their unoccluded form factors.
-Spectrum EmitterSampler::ambient(std::span<const double> unoccluded, const ControlVariate& control,
-                                 std::size_t bands) const {
-  Spectrum sum(bands, 0.0);
-  double factors = 0.0;
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    const Emitter& b = others_[i];
-    if (unoccluded[i] <= 0.0 || control.find(b.polygon) != nullptr) continue;
-    const double factor = unoccluded[i] / b.largest_radiosity;
-    factors += factor;
-    for (std::size_t band = 0; band < bands; ++band) sum[band] += factor * b.radiosity(band);
-  }
-  for (double& s : sum) s = factors > 0.0 ? s / factors : 0.0;
-  return sum;
 }
 
 const EmitterSampler::ControlledPolygon* EmitterSampler::ControlVariate::find(
@@ -111,43 +121,139 @@ const EmitterSampler::ControlledPolygon* EmitterSampler::ControlVariate::find(
   return at != polygons.end() && at->polygon == polygon ? &*at : nullptr;
 }
 
-EmitterSampler::ControlVariate EmitterSampler::add_control_variate(const Vec3& p, const Vec3& n,
-                                                                   std::uint32_t own, double least,
-                                                                   Random& random,
-                                                                   Spectrum& irradiance,
-                                                                   Spectrum& variance) const {
-  ControlVariate control;
-  const std::vector<double> bright = unoccluded(bright_, p, n, own);
-  const std::vector<double> other = unoccluded(others_, p, n, own);
-  const double total_bright = std::accumulate(bright.begin(), bright.end(), 0.0);
-  const double total = std::accumulate(other.begin(), other.end(), total_bright);
+EmitterSampler::Survey EmitterSampler::survey(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                              int rays, Random& random) const {
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(rays))));
+  Survey survey;
+  survey.rays = side * side;
+  std::vector<std::pair<std::uint32_t, Vec3>> ends;
+  for (int i = 0; i < survey.rays; ++i) {
+    const double r2 = (i / side + random.uniform()) / side;
+    const double turn = (i % side + random.uniform()) / side;
+    const Vec3 direction = cosine_direction(n, r2, turn);
+    const RayHit hit = occluders_->rays().closest(p, direction, own, 1e30, RayStart::in_air);
+    if (hit.any() && hit.front && !is_bright_[hit.polygon])
+      ends.emplace_back(hit.polygon, p + hit.distance_m * direction);
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  Spectrum radiosity;
+  for (const auto& [polygon, at] : ends) {
+    const PolygonRef ref = occluders_->local(polygon);
+    const PatchForest& patches = clusters_[ref.cluster.index()].patches();
+    radiosity.assign(static_cast<std::size_t>(patches.bands()), 0.0);
+    patches.evaluate(true, ref.polygon, at, radiosity);
+    if (survey.seen.empty() || survey.seen.back().polygon != polygon)
+      survey.seen.push_back({polygon, 0, Spectrum(radiosity.size(), 0.0)});
+    Survey::Seen& seen = survey.seen.back();
+    ++seen.rays;
+    for (std::size_t b = 0; b < radiosity.size(); ++b) seen.radiosity[b] += radiosity[b];
+    const double largest = *std::max_element(radiosity.begin(), radiosity.end());
+    seen.square += largest * largest;
+  }
+  return survey;
+}
+
+Spectrum EmitterSampler::Survey::mean(const ControlVariate& control, std::size_t bands) const {
+  Spectrum sum(bands, 0.0);
+  int ends = 0;
+  for (const Seen& polygon : seen) {
+    if (control.find(polygon.polygon) != nullptr) continue;
+    ends += polygon.rays;
+    for (std::size_t b = 0; b < bands; ++b) sum[b] += polygon.radiosity[b];
+  }
+  for (double& s : sum) s = ends > 0 ? s / ends : 0.0;
+  return sum;
+}
+
+/// Of all bright emitters. `known`: irradiance (largest band) that comes from elsewhere.
+void EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known,
+                                    double least, Random& random, ControlVariate& control,
+                                    Spectrum& variance) const {
+  const std::vector<double> weight = unoccluded(p, n, own);
+  const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
+  double seen = std::max(known, least_seen * total);
   VisibleNodes visible(*occluders_);
   ControlledPolygon next;
-  const auto find_exactly = [&](const Emitter& b) {
+  for (std::size_t i = 0; i < bright_; ++i) {
+    if (weight[i] <= negligible * total || weight[i] <= 0.0) continue;
+    const Emitter& b = sources_[i];
+    const ClusterId cluster = occluders_->local(b.polygon).cluster;
     next.polygon = b.polygon;
-    return visible.find(p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k,
-                        least * total, next.nodes);
-  };
-  for (std::size_t i = 0; i < bright_.size(); ++i) {
-    if (bright[i] <= negligible * total_bright || bright[i] <= 0.0) continue;
-    const Emitter& b = bright_[i];
-    if (!find_exactly(b)) {
+    if (!visible.find(p, n, own, cluster, *b.forest, b.node, least * seen, next.nodes)) {
       next.nodes.resize(1);
       const double variance_of_factor = visible.find_by_parts(
-          p, n, own, occluders_->local(b.polygon).cluster, *b.forest, b.k, least * total,
-          smallest_part * total_bright / b.largest_radiosity, random, next.nodes.front());
+          p, n, own, cluster, *b.forest, b.node, least * seen,
+          smallest_part * total / b.largest_radiosity, random, next.nodes.front());
       for (std::size_t band = 0; band < variance.size(); ++band)
         variance[band] += variance_of_factor * b.radiosity(band) * b.radiosity(band);
     }
+    for (const VisibleNode& node : next.nodes) seen += node.factor * b.largest_radiosity;
     control.polygons.push_back(next);
   }
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (other[i] > least * total && find_exactly(others_[i])) control.polygons.push_back(next);
+}
+
+/// Of the polygons seen, those that make rays noisy, until all others together would give
+/// `most_square` at most: the mean square of a ray's deviation from the mean.
+void EmitterSampler::control_seen(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                  const Survey& survey, double most_square, double least,
+                                  ControlVariate& control) const {
+  double sum = 0.0;
+  int ends = 0;
+  for (const Survey::Seen& polygon : survey.seen) {
+    sum += *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end());
+    ends += polygon.rays;
   }
+  const double mean = ends > 0 ? sum / ends : 0.0;
+  std::vector<std::pair<double, std::uint32_t>> noisy;
+  double left = 0.0;
+  for (const Survey::Seen& polygon : survey.seen) {
+    const double of_polygon = *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end());
+    // A few rays may miss the brightest part.
+    const PolygonRef ref = occluders_->local(polygon.polygon);
+    const double deviation = clusters_[ref.cluster.index()].patches().deviation(ref.polygon);
+    const double square =
+        std::max(polygon.square - 2.0 * mean * of_polygon + polygon.rays * mean * mean,
+                 polygon.rays * deviation * deviation) /
+        survey.rays;
+    left += square;
+    noisy.emplace_back(square, polygon.polygon);
+  }
+  std::stable_sort(noisy.begin(), noisy.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  VisibleNodes visible(*occluders_);
+  ControlledPolygon next;
+  for (std::size_t i = 0; i < std::min(noisy.size(), most_controlled); ++i) {
+    const auto& [square, polygon] = noisy[i];
+    if (left <= most_square) break;
+    const PolygonRef ref = occluders_->local(polygon);
+    next.polygon = polygon;
+    if (visible.find_some(p, n, own, ref.cluster, clusters_[ref.cluster.index()].patches(),
+                          ref.polygon, least, mean, next.nodes))
+      control.polygons.push_back(next);
+    left -= square;
+  }
+}
+
+EmitterSampler::ControlVariate EmitterSampler::add_control_variate(
+    const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey, int rays, double least,
+    Random& random, Spectrum& irradiance, Spectrum& variance) const {
+  ControlVariate control;
+  double known = *std::max_element(irradiance.begin(), irradiance.end());
+  for (const Survey::Seen& polygon : survey.seen)
+    known += *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end()) / survey.rays;
+  control_bright(p, n, own, known, least, random, control, variance);
+  for (const ControlledPolygon& polygon : control.polygons) {
+    const PatchForest& forest =
+        clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
+    for (const VisibleNode& node : polygon.nodes) known += node.irradiance(forest, 0);
+  }
+  const double noise = rays_share * least * known;
+  control_seen(p, n, own, survey, noise * noise * rays, least * known, control);
   std::sort(
       control.polygons.begin(), control.polygons.end(),
       [](const ControlledPolygon& a, const ControlledPolygon& b) { return a.polygon < b.polygon; });
-  control.ambient = ambient(other, control, irradiance.size());
+  control.ambient = survey.mean(control, irradiance.size());
   for (std::size_t band = 0; band < irradiance.size(); ++band) {
     irradiance[band] += control.ambient[band];
   }
@@ -171,40 +277,6 @@ void EmitterSampler::add_emitted(const ControlVariate& control, Spectrum& irradi
     for (const VisibleNode& node : polygon.nodes) factor += node.factor;
     for (std::size_t band = 0; band < irradiance.size(); ++band)
       irradiance[band] += factor * frame.exitance[band];
-  }
-}
-
-std::vector<double> EmitterSampler::pick_weights(const Vec3& p) const {
-  std::vector<double> sums;
-  double sum = 0.0;
-  for (const Emitter& b : bright_) {
-    const PatchShape& shape = b.forest->node(b.k).shape;
-    const Vec3 d = b.forest->frames()[b.k].at(shape.centroid) - p;
-    sum += b.largest_radiosity * shape.area_m2 / (glm::dot(d, d) + shape.area_m2);
-    sums.push_back(sum);
-  }
-  return sums;
-}
-
-void EmitterSampler::add_picked(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                std::span<const double> weights, Random& random,
-                                std::span<const double> share, Spectrum& irradiance) const {
-  if (bright_.empty()) return;
-  const double pick = random.uniform() * weights.back();
-  const auto at = std::upper_bound(weights.begin(), weights.end(), pick) - weights.begin();
-  const std::size_t i = std::min(static_cast<std::size_t>(at), bright_.size() - 1);
-  const Emitter& b = bright_[i];
-  const double r1 = random.uniform(), r2 = random.uniform();
-  const int quarter = static_cast<int>(random.below(4));
-  const PolygonFrame& frame = b.forest->frames()[b.k];
-  if (b.polygon == own || glm::dot(frame.n, p - frame.origin) <= 0.0) return;
-  const double factor = point_to_polygon(p, n, b.corners);
-  if (factor <= 0.0) return;
-  const Vec3 y = frame.at(b.forest->node(b.k).shape.point_in_quarter(quarter, r1, r2));
-  if (occluders_->rays().occluded(p, y, own, b.polygon, RayStart::in_air)) return;
-  const double chance = (weights[i] - (i > 0 ? weights[i - 1] : 0.0)) / weights.back();
-  for (std::size_t band = 0; band < irradiance.size(); ++band) {
-    irradiance[band] += share[band] * factor / chance * b.radiosity(band);
   }
 }
 

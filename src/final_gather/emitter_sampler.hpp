@@ -35,47 +35,74 @@ class EmitterSampler {
     Spectrum ambient;                         ///< mean radiosity of the other polygons in view
     const ControlledPolygon* find(std::uint32_t polygon) const;
   };
+  /// What a few rays from a point find of the polygons that are not bright.
+  struct Survey {
+    struct Seen {
+      std::uint32_t polygon;  ///< global number
+      int rays = 0;           ///< that end on its front side
+      Spectrum radiosity;     ///< sum over the rays' ends
+      double square = 0.0;    ///< sum of squares, of the largest band
+    };
+    int rays = 0;            ///< cast
+    std::vector<Seen> seen;  ///< ascending
+    /// Mean radiosity per band where rays end on polygons that are not controlled.
+    Spectrum mean(const ControlVariate& control, std::size_t bands) const;
+  };
+  /// Casts `rays` stratified rays over the hemisphere at p.
+  Survey survey(const Vec3& p, const Vec3& n, std::uint32_t own, int rays, Random& random) const;
+
   /// Makes the control variate at p (unit normal n, on polygon `own` or on none) and adds its
-  /// integral to `irradiance`. Controlled are all bright emitters, and the other polygons that may
-  /// give the share `least` of the light at p and have few occluders (VisibleNodes). A bright
-  /// emitter behind many occluders is cut into parts behind few, the smallest of which are sampled
-  /// by rays; `variance` gains theirs.
-  ControlVariate add_control_variate(const Vec3& p, const Vec3& n, std::uint32_t own, double least,
-                                     Random& random, Spectrum& irradiance,
-                                     Spectrum& variance) const;
+  /// integral to `irradiance`, which holds the light of point lights. Controlled are all bright
+  /// emitters, and of the polygons of `survey` those with few occluders (VisibleNodes) whose light
+  /// would make `rays` rays noisier than `least`, a share of the light at p. A bright emitter
+  /// behind many occluders is cut into parts behind few, the smallest of which are sampled by rays;
+  /// `variance` gains theirs.
+  ControlVariate add_control_variate(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                     const Survey& survey, int rays, double least, Random& random,
+                                     Spectrum& irradiance, Spectrum& variance) const;
 
   /// Adds what the control variate's polygons emit themselves, to the irradiance at its point.
   void add_emitted(const ControlVariate& control, Spectrum& irradiance) const;
 
-  /// Running sums of the bright emitters' probabilities, not normalised, to be picked for points
-  /// near p.
-  std::vector<double> pick_weights(const Vec3& p) const;
-  /// Adds an estimate, by one ray, of share * the irradiance that all bright emitters give at p:
-  /// one of them is picked by `weights`. Unbiased for their mean radiosities.
-  void add_picked(const Vec3& p, const Vec3& n, std::uint32_t own, std::span<const double> weights,
-                  Random& random, std::span<const double> share, Spectrum& irradiance) const;
-
- private:
+  /// A bright emitter, or a hot spot: a node of another polygon that is as bright.
   struct Emitter {
-    std::uint32_t polygon;  // global number
+    std::uint32_t polygon;  ///< global number
     const PatchForest* forest;
-    std::uint32_t k;  // number in the forest
+    std::uint32_t node;  ///< of the forest; a bright emitter's is its polygon
     Polygon corners;
-    double largest_radiosity;  // mean over the polygon, of the largest band
-    double size2;              // m2: squared distance of its farthest corner from its centroid
+    double largest_radiosity;  ///< mean over the node, of the largest band
+    double size2;              ///< m2: squared distance of its farthest corner from its centroid
+    const PatchShape& shape() const { return forest->node(node).shape; }
+    const PolygonFrame& frame() const { return forest->frames()[forest->node(node).id.root]; }
+    Vec3 center() const { return frame().at(shape().centroid); }
     double radiosity(std::size_t band) const {
-      return forest->radiosity(k)[band * static_cast<std::size_t>(forest->terms())];
+      return forest->radiosity(node)[band * static_cast<std::size_t>(forest->terms())];
     }
   };
-  static std::vector<double> unoccluded(const std::vector<Emitter>& polygons, const Vec3& p,
-                                        const Vec3& n, std::uint32_t own);
-  Spectrum ambient(std::span<const double> unoccluded, const ControlVariate& control,
-                   std::size_t bands) const;
+  /// The bright emitters, then the hot spots: the topmost nodes.
+  std::span<const Emitter> sources() const { return sources_; }
+  /// True where point y of a polygon that is not bright (global number) lies in a hot spot.
+  bool hot(std::uint32_t polygon, const Vec3& y) const;
+
+ private:
+  std::vector<double> unoccluded(const Vec3& p, const Vec3& n, std::uint32_t own) const;
+  void control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known, double least,
+                      Random& random, ControlVariate& control, Spectrum& variance) const;
+  void control_seen(const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey,
+                    double most_square, double least, ControlVariate& control) const;
 
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;
-  std::vector<Emitter> bright_, others_;  // others_: all else that gives light
-  std::vector<bool> is_bright_;           // by global number
+  std::span<const Emitter> bright() const { return {sources_.data(), bright_}; }
+  void add_source(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
+                  double largest_radiosity);
+  void add_hot(std::uint32_t polygon, const PatchForest& forest, std::size_t node, double limit);
+
+  std::vector<Emitter> sources_;
+  std::size_t bright_ = 0;  ///< of sources_ are bright emitters
+  /// Global numbers of the hot spots' polygons and their nodes, ascending.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> hot_;
+  std::vector<bool> is_bright_;  // by global number
 };
 
 }  // namespace enfilade

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "base/random.hpp"
+#include "final_gather/emitter_picker.hpp"
 #include "final_gather/emitter_sampler.hpp"
+#include "final_gather/mean_light.hpp"
 #include "final_gather/point_place.hpp"
 #include "geometry/sampling.hpp"
 #include "occluders/light_at.hpp"
@@ -14,29 +16,12 @@
 namespace enfilade {
 namespace {
 
-Spectrum mean_over(std::span<const ClusterState> clusters) {
-  Spectrum mean(clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()), 0.0);
-  double area = 0.0;
-  for (const ClusterState& cluster : clusters) {
-    const PatchForest& patches = cluster.patches();
-    for (std::size_t k = 0; k < patches.polygons(); ++k) {
-      area += patches.node(k).shape.area_m2;
-      for (std::size_t b = 0; b < mean.size(); ++b) {
-        mean[b] += patches.node(k).shape.area_m2 *
-                   patches.irradiance(k)[b * static_cast<std::size_t>(patches.terms())];
-      }
-    }
-  }
-  for (double& m : mean) m = area > 0.0 ? m / area : 0.0;
-  return mean;
-}
-
-/// Polygons that may give a smaller share of a point's light than this are left to the rays. The
-/// less noise is asked for, the smaller the share.
-double share_left_to_rays(const PointGatherConfig& config) {
-  constexpr double least_share = 3e-4, most_share = 5e-3;
+/// Nodes of controlled polygons are as fine as this share of a point's light asks for: with the
+/// noise, within these bounds.
+double least_share(const PointGatherConfig& config) {
+  constexpr double least = 3e-4, most = 5e-3;
   const double noise = config.least_noise();
-  return noise > 0.0 ? std::clamp(noise, least_share, most_share) : most_share;
+  return noise > 0.0 ? std::clamp(noise, least, most) : most;
 }
 
 /// Error of the patches at which a patch's light is read off from one patch side away.
@@ -44,10 +29,14 @@ constexpr double usual_patch_error = 0.02;
 /// Paths that carry less than this share of what they began with end by chance.
 constexpr double faint = 0.05;
 constexpr int most_bounces = 64;
+/// Rays that show what a point sees, before those that estimate its light.
+constexpr int most_survey_rays = 256;
 /// Sets of rays for one point, each of PointGatherConfig::rays.
-constexpr int most_ray_sets = 16;
+constexpr int most_ray_sets = 128;
 /// Noise below this share of the scene's mean irradiance does not matter.
 constexpr double unseen_noise = 1e-4;
+/// Noise of so much of the error of the reflected light adds next to nothing to it.
+constexpr double share_of_error = 0.25;
 /// Links are refined by the power at stake, so that the light of dark rooms is less accurate than
 /// its own amount tells: its error is relative to this share of the mean irradiance as well.
 constexpr double share_everywhere = 0.1;
@@ -62,15 +51,18 @@ struct PointGather::Impl {
   const Occluders* occluders;
   PointGatherConfig config;
   EmitterSampler emitters;
+  EmitterPicker picker;
   std::size_t bands;
   Spectrum mean_irradiance;
 
+  Impl(std::span<const ClusterState> of, std::span<const LightSource> by, const Occluders& between,
+       const PointGatherConfig& how);
   void add_lights(const LitPlace& place, Spectrum& e, Spectrum& variance) const;
-  void add_lights(const LitPlace& place, std::span<const double> share, Random& random,
-                  Spectrum& e) const;
   void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      const EmitterSampler::ControlVariate& control, Spectrum& variance,
-                      PointIrradiance& light) const;
+                      const EmitterSampler::ControlVariate& control, const Spectrum& emitted,
+                      Spectrum& variance, PointIrradiance& light) const;
+  double most_noise(std::size_t band, double light, double reflected) const;
+  double reflected_error(std::size_t band, double reflected) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                     const EmitterSampler::ControlVariate& control, std::span<const double> weights,
                     Spectrum& e, std::array<int, 2>& ends) const;
@@ -89,19 +81,6 @@ void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum&
       const double error = light.intensity[band] * found.error;
       variance[band] += error * error;
     }
-  }
-}
-
-/// The same at the end of a path, times the share of each band that the path carries, by one random
-/// point of each light.
-void PointGather::Impl::add_lights(const LitPlace& place, std::span<const double> share,
-                                   Random& random, Spectrum& e) const {
-  for (const LightSource& light : lights) {
-    const double r1 = light.opening.empty() ? 0.0 : random.uniform();
-    const double r2 = light.opening.empty() ? 0.0 : random.uniform();
-    const double kernel = light_by_one_ray(light, place, *occluders, r1, r2);
-    for (std::size_t band = 0; band < bands; ++band)
-      e[band] += share[band] * light.intensity[band] * kernel;
   }
 }
 
@@ -129,18 +108,21 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     if (bounces == 0) first = hit;
     const bool ends = !hit.any() || !hit.front;
     const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
-    for (std::size_t b = 0; b < bands && bounces == 0 && controlled == nullptr; ++b) {
-      e[b] -= share * control.ambient[b];
+    const Vec3 at = from + hit.distance_m * direction;
+    const VisibleNode* node = nullptr;
+    if (controlled != nullptr) {
+      const PolygonRef ref = occluders->local(hit.polygon);
+      const PatchForest& patches = clusters[ref.cluster.index()].patches();
+      node = node_around(controlled->nodes, patches, ref.polygon, at);
+      for (std::size_t b = 0; b < bands && node != nullptr; ++b)
+        e[b] -= share * node->radiosity(patches, b, at);
     }
+    for (std::size_t b = 0; b < bands && bounces == 0 && node == nullptr; ++b)
+      e[b] -= share * control.ambient[b];
     if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
+    if (bounces > 0 && emitters.hot(hit.polygon, at)) return first;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
-    const Vec3 at = from + hit.distance_m * direction;
-    const VisibleNode* node =
-        controlled != nullptr ? node_around(controlled->nodes, patches, ref.polygon, at) : nullptr;
-    for (std::size_t b = 0; b < bands && node != nullptr; ++b) {
-      e[b] -= share * node->radiosity(patches, b, at);
-    }
     if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
@@ -159,8 +141,7 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     for (double& c : carried) c /= survival;
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
-    emitters.add_picked(from, frame.n, own, weights, random, carried, e);
-    add_lights({from, frame.n, own, RayStart::in_air}, carried, random, e);
+    picker.add_picked({from, frame.n, own, RayStart::in_air}, weights, random, carried, e);
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
@@ -198,17 +179,30 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
   return variance;
 }
 
+/// Returns the noise that is allowed at a point with this much light in a band, of which some is
+/// reflected.
+double PointGather::Impl::most_noise(std::size_t band, double light, double reflected) const {
+  const double least = std::max(config.least_noise() * light, unseen_noise * mean_irradiance[band]);
+  return config.noise ? least : std::max(least, share_of_error * reflected_error(band, reflected));
+}
+
+/// One standard deviation of the reflected light of a band, by the error of the patches.
+double PointGather::Impl::reflected_error(std::size_t band, double reflected) const {
+  return config.reflected_error *
+         (std::max(0.0, reflected) + share_everywhere * mean_irradiance[band]);
+}
+
 /// Adds the integral of radiosity less control variate over the hemisphere: the mean of several
 /// sets of rays, until the noise is low enough. `variance`: of the light so far; gains the rays'.
 void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
                                        Random& random,
                                        const EmitterSampler::ControlVariate& control,
-                                       Spectrum& variance, PointIrradiance& light) const {
-  const std::vector<double> weights = emitters.pick_weights(p);
+                                       const Spectrum& emitted, Spectrum& variance,
+                                       PointIrradiance& light) const {
+  const std::vector<double> weights = picker.weights(p);
   Spectrum& e = light.irradiance;
   Spectrum sum(bands, 0.0), of_rays(bands, 0.0);
   std::array<int, 2> ends{};
-  const double least = config.least_noise();
   bool noisy = true;
   int rounds = 0;
   while (noisy && rounds < most_ray_sets) {
@@ -217,9 +211,9 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     noisy = false;
     for (std::size_t b = 0; b < bands; ++b) {
       of_rays[b] += more[b];
-      noisy |= least > 0.0 &&
-               std::sqrt(of_rays[b]) / rounds >
-                   std::max(least * (e[b] + sum[b] / rounds), unseen_noise * mean_irradiance[b]);
+      const double found = e[b] + sum[b] / rounds;
+      noisy |= config.least_noise() > 0.0 &&
+               std::sqrt(of_rays[b]) / rounds > most_noise(b, found, found - emitted[b]);
     }
   }
   for (std::size_t b = 0; b < bands; ++b) {
@@ -231,13 +225,21 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
   light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
 }
 
+PointGather::Impl::Impl(std::span<const ClusterState> of, std::span<const LightSource> by,
+                        const Occluders& between, const PointGatherConfig& how)
+    : clusters(of),
+      lights(by),
+      occluders(&between),
+      config(how),
+      emitters(of, between),
+      picker(emitters.sources(), by, between, how.seed),
+      bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].bands())),
+      mean_irradiance(mean_irradiance_over(of)) {}
+
 PointGather::PointGather(std::span<const ClusterState> clusters,
                          std::span<const LightSource> lights, const Occluders& occluders,
                          const PointGatherConfig& config)
-    : impl_(std::make_unique<Impl>(
-          Impl{clusters, lights, &occluders, config, EmitterSampler(clusters, occluders),
-               clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
-               mean_over(clusters)})) {}
+    : impl_(std::make_unique<Impl>(clusters, lights, occluders, config)) {}
 
 PointGather::~PointGather() = default;
 
@@ -251,19 +253,19 @@ PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   const Vec3 x = lifted(*impl_->occluders, p, n);
   Spectrum variance(impl_->bands, 0.0), emitted(impl_->bands, 0.0);
   impl_->add_lights({x, n, own, RayStart::in_air}, emitted, variance);
-  const EmitterSampler::ControlVariate control = impl_->emitters.add_control_variate(
-      x, n, own, share_left_to_rays(impl_->config), random, e, variance);
   for (std::size_t b = 0; b < impl_->bands; ++b) e[b] += emitted[b];
+  const int rays = impl_->config.rays;
+  const EmitterSampler::Survey survey =
+      impl_->emitters.survey(x, n, own, std::min(rays, most_survey_rays), random);
+  const EmitterSampler::ControlVariate control = impl_->emitters.add_control_variate(
+      x, n, own, survey, rays, least_share(impl_->config), random, e, variance);
   impl_->emitters.add_emitted(control, emitted);
   light.direct = emitted;
-  impl_->add_hemisphere(x, n, own, random, control, variance, light);
+  impl_->add_hemisphere(x, n, own, random, control, emitted, variance, light);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
     if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
-    const double reflected = std::max(0.0, e[b] - emitted[b]);
     light.noise[b] = std::sqrt(variance[b]);
-    light.error[b] =
-        std::hypot(light.noise[b], impl_->config.reflected_error *
-                                       (reflected + share_everywhere * impl_->mean_irradiance[b]));
+    light.error[b] = std::hypot(light.noise[b], impl_->reflected_error(b, e[b] - emitted[b]));
   }
   return light;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "final_gather/mean_light.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
 
@@ -11,6 +13,8 @@ namespace {
 
 /// Up to so many occluders are cut out of the polygon exactly.
 constexpr std::size_t most_occluders = 16;
+/// Up to so many are not told apart for a node's children; find_some() looks at so many at most.
+constexpr std::size_t few_occluders = 3, most_for_nodes = 256;
 /// Of `least`: how much irradiance the slope of a visible part may be wrong by. No rays correct
 /// this error, as they correct the deviation from the affine function.
 constexpr double cut_tolerance = 1.0 / 64.0;
@@ -46,17 +50,24 @@ Polygon corners_of(const PolygonFrame& frame, const PatchShape& shape) {
   return corners;
 }
 
+/// What find() and find_some() ask for.
+struct VisibleNodes::Whole {
+  Vec3 p, n;
+  std::uint32_t own, polygon;  ///< global numbers
+  const PatchForest& forest;
+  double least;
+  std::optional<double> ambient;  ///< none: all nodes, or a failure
+};
+
 bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
                         const PatchForest& forest, std::uint32_t polygon, double least,
                         std::vector<VisibleNode>& found) {
   found.clear();
-  corners_.clear();
-  for (const Vec2& c : forest.node(polygon).shape.vertices) {
-    corners_.push_back(forest.frames()[polygon].at(c));
-  }
-  if (!occluders_->find_between({p}, corners_, own, occluders_->global(shooter, polygon),
-                                most_occluders, between_) ||
-      !find_below(p, n, forest, polygon, least, found)) {
+  corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
+  const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, {}};
+  std::vector<std::uint32_t> between;
+  if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_occluders, between) ||
+      !find_below(whole, polygon, between, found)) {
     found.clear();
     return false;
   }
@@ -65,22 +76,49 @@ bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, Cluster
   return true;
 }
 
-bool VisibleNodes::find_below(const Vec3& p, const Vec3& n, const PatchForest& forest,
-                              std::size_t node, double least, std::vector<VisibleNode>& found) {
+bool VisibleNodes::find_some(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
+                             const PatchForest& forest, std::uint32_t polygon, double least,
+                             double ambient, std::vector<VisibleNode>& found) {
+  found.clear();
+  corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
+  const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, ambient};
+  std::vector<std::uint32_t> between;
+  if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_for_nodes, between))
+    return false;
+  find_below(whole, polygon, between, found);
+  std::sort(found.begin(), found.end(),
+            [](const VisibleNode& a, const VisibleNode& b) { return a.node < b.node; });
+  return !found.empty();
+}
+
+/// `between`: the polygons that may hide the node or a part of it.
+bool VisibleNodes::find_below(const Whole& whole, std::size_t node,
+                              std::span<const std::uint32_t> between,
+                              std::vector<VisibleNode>& found) {
+  const PatchForest& forest = whole.forest;
   const PatchNode& at = forest.node(node);
-  const PolygonFrame& frame = forest.frames()[at.id.root];
-  corners_.clear();
-  for (const Vec2& c : at.shape.vertices) corners_.push_back(frame.at(c));
-  const double whole = point_to_polygon(p, n, corners_);
-  if (whole <= 0.0) return true;
-  if (!at.leaf() && whole * forest.deviation(node) > least) {
-    const auto child = static_cast<std::size_t>(at.first_child);
-    return find_below(p, n, forest, child, least, found) &&
-           find_below(p, n, forest, child + 1, least, found);
+  corners_ = corners_of(forest.frames()[at.id.root], at.shape);
+  const double factor = point_to_polygon(whole.p, whole.n, corners_);
+  if (factor <= 0.0) return true;
+  const bool too_many = between.size() > most_occluders;
+  double at_stake = forest.deviation(node);
+  if (too_many && whole.ambient)
+    at_stake = std::max(at_stake, std::abs(largest_radiosity(forest, node) - *whole.ambient));
+  if (!at.leaf() && factor * at_stake > whole.least) {
+    std::vector<std::uint32_t> before = {between.begin(), between.end()};
+    for (int i = 0; i < 2; ++i) {
+      const auto child = static_cast<std::size_t>(at.first_child + i);
+      if (between.size() > few_occluders) {
+        corners_ = corners_of(forest.frames()[at.id.root], forest.node(child).shape);
+        occluders_->find_among(between, {whole.p}, corners_, whole.own, whole.polygon, before);
+      }
+      if (!find_below(whole, child, before, found)) return false;
+    }
+    return true;
   }
-  if (!hide_all(p, between_)) return false;
+  if (too_many || !hide_all(whole.p, between)) return whole.ambient.has_value();
   VisibleNode visible{static_cast<std::uint32_t>(node)};
-  add_visible_parts(p, n, forest, least, visible);
+  add_visible_parts(whole.p, whole.n, forest, whole.least, visible);
   found.push_back(visible);
   return true;
 }

@@ -50,6 +50,12 @@ class VisibleNodes {
   bool find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
             const PatchForest& forest, std::uint32_t polygon, double least,
             std::vector<VisibleNode>& found);
+  /// The same but for nodes that too many polygons stand before: each is replaced by its children
+  /// where its light may differ by more than `least` of irradiance from `ambient`, a radiosity of
+  /// the largest band, and is left out where not. Returns true where any node is left.
+  bool find_some(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
+                 const PatchForest& forest, std::uint32_t polygon, double least, double ambient,
+                 std::vector<VisibleNode>& found);
   /// The same past any number of polygons, as one node: the polygon is cut into parts until few
   /// enough stand before each; a part whose factor is below `least_factor` is estimated by random
   /// rays. Returns the variance of the factor.
@@ -60,8 +66,9 @@ class VisibleNodes {
  private:
   /// What find_by_parts() asks for, and finds.
   struct ByParts;
-  bool find_below(const Vec3& p, const Vec3& n, const PatchForest& forest, std::size_t node,
-                  double least, std::vector<VisibleNode>& found);
+  struct Whole;
+  bool find_below(const Whole& whole, std::size_t node, std::span<const std::uint32_t> between,
+                  std::vector<VisibleNode>& found);
   bool hide_all(const Vec3& p, std::span<const std::uint32_t> occluders);
   void add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest, double least,
                          VisibleNode& sum);
@@ -71,7 +78,6 @@ class VisibleNodes {
                 double least, int cuts, VisibleNode& sum);
 
   const Occluders* occluders_;
-  std::vector<std::uint32_t> between_;
   VisibleParts parts_;
   Polygon corners_;
 };

@@ -1,0 +1,44 @@
+#include "final_gather/mean_light.hpp"
+
+#include <algorithm>
+
+namespace enfilade {
+
+Spectrum mean_irradiance_over(std::span<const ClusterState> clusters) {
+  Spectrum mean(clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()), 0.0);
+  double area = 0.0;
+  for (const ClusterState& cluster : clusters) {
+    const PatchForest& patches = cluster.patches();
+    for (std::size_t k = 0; k < patches.polygons(); ++k) {
+      area += patches.node(k).shape.area_m2;
+      for (std::size_t b = 0; b < mean.size(); ++b) {
+        mean[b] += patches.node(k).shape.area_m2 *
+                   patches.irradiance(k)[b * static_cast<std::size_t>(patches.terms())];
+      }
+    }
+  }
+  for (double& m : mean) m = area > 0.0 ? m / area : 0.0;
+  return mean;
+}
+
+double mean_radiosity_over(std::span<const ClusterState> clusters) {
+  double area = 0.0, power = 0.0;
+  for (const ClusterState& cluster : clusters) {
+    const PatchForest& patches = cluster.patches();
+    for (std::size_t k = 0; k < patches.polygons(); ++k) {
+      area += patches.node(k).shape.area_m2;
+      power += patches.node(k).shape.area_m2 * largest_radiosity(patches, k);
+    }
+  }
+  return area > 0.0 ? power / area : 0.0;
+}
+
+double largest_radiosity(const PatchForest& forest, std::size_t node) {
+  const std::span<const double> light = forest.radiosity(node);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < light.size(); i += static_cast<std::size_t>(forest.terms()))
+    largest = std::max(largest, light[i]);
+  return largest;
+}
+
+}  // namespace enfilade
