@@ -134,7 +134,7 @@ TEST(VisibleNodes, RaysOfPartsAreUnbiased) {
     EXPECT_TRUE(testing::has_mean(factor, known.factor, 8, 0.02 * known.factor)) << known.name;
     EXPECT_GT(variance, 0.5 * factor.variance()) << known.name;
   }
-  EXPECT_GE(sampled, 2);
+  EXPECT_GE(sampled, 1);
 }
 
 }  // namespace
