@@ -135,9 +135,10 @@ void for_each_histogram(Visit visit) {
 }
 
 /// Calls visit(FigureName, access) for each figure; access(figures) is a reference to it: a double,
-/// a count, or a list of numbers: a Spectrum or a histogram. All spectra have the same number of bands. Messages, the manifest and
-/// recordings keep this order: a change to the list needs a new manifest_version (run/manifest.cpp)
-/// and a new mark of recordings (schemes/protocol/gather_cost.cpp).
+/// a count, or a list of numbers: a Spectrum or a histogram. All spectra have the same number of
+/// bands. Messages, the manifest and recordings keep this order: a change to the list needs a new
+/// manifest_version (run/manifest.cpp) and a new mark of recordings
+/// (schemes/protocol/gather_cost.cpp).
 template <class Visit>
 void for_each_figure(Visit visit) {
   for_each_number(visit);

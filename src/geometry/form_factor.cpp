@@ -55,8 +55,7 @@ double rim_misfit(const FlatReceiver& receiver, std::span<const Vec3> shooter,
   const auto [least, most] = std::minmax_element(at.begin(), at.end());
   if (*most <= 0.0 || *most - *least > config.spread * *most) return 0.0;
   const Vec3 area = area_vector(shooter);
-  const double gap_m =
-      std::abs(glm::dot(area, receiver.center - shooter[0])) / glm::length(area);
+  const double gap_m = std::abs(glm::dot(area, receiver.center - shooter[0])) / glm::length(area);
   if (gap_m > config.gap * receiver.radius_m) return 0.0;
   double off = 0.0;
   for (const Vec3& corner : receiver.corners)

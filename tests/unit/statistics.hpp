@@ -37,9 +37,7 @@ class Samples {
   }
   std::size_t count() const { return count_; }
   double mean() const { return mean_; }
-  double variance() const {
-    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0.0;
-  }
+  double variance() const { return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0.0; }
   double error_of_mean() const { return std::sqrt(variance() / static_cast<double>(count_)); }
 
  private:
@@ -112,9 +110,8 @@ inline ::testing::AssertionResult are_distributed(std::span<const double> counts
   for (const double p : probability) expected.push_back(n * p);
   const double p = p_of_counts(counts, expected);
   if (std::abs(whole - 1.0) <= 1e-6 && p >= sidak(tests)) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure()
-         << n << " samples in " << counts.size() << " cells of probability " << whole
-         << ": p = " << p;
+  return ::testing::AssertionFailure() << n << " samples in " << counts.size()
+                                       << " cells of probability " << whole << ": p = " << p;
 }
 
 /// Counts in a grid of cells over the unit square.

@@ -31,9 +31,9 @@ TEST(Statistics, PValuesAreTheTabulatedOnes) {
   EXPECT_NEAR(p_of_mean(samples, 3.0 + 2.776445 * std::sqrt(0.5)), 0.05, 1e-6);
   // Chi-square with 3 degrees of freedom: 7.815 at 5%.
   const double off = std::sqrt(7.814728 * 100.0 / 4.0);
-  EXPECT_NEAR(p_of_counts(std::vector{100 + off, 100 - off, 100 + off, 100 - off},
-                          std::vector(4, 100.0)),
-              0.05, 1e-6);
+  EXPECT_NEAR(
+      p_of_counts(std::vector{100 + off, 100 - off, 100 + off, 100 - off}, std::vector(4, 100.0)),
+      0.05, 1e-6);
 }
 
 TEST(Statistics, ADensityThatIs5PercentWrongIsSeen) {

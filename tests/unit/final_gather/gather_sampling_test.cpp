@@ -38,8 +38,9 @@ Surface black(const Polygon& corners, double exitance) {
 TEST(EmitterSampler, PickedRaysAreUnbiased) {
   Scene scene = testing::box_room({0, 0, 0}, {6, 6, 3}, {0.0}, {0.0});
   const auto lamp = [&](double x, double y, double size, double exitance) {
-    scene.surfaces.push_back(black(
-        {{x, y, 2.9}, {x, y + size, 2.9}, {x + size, y + size, 2.9}, {x + size, y, 2.9}}, exitance));
+    scene.surfaces.push_back(
+        black({{x, y, 2.9}, {x, y + size, 2.9}, {x + size, y + size, 2.9}, {x + size, y, 2.9}},
+              exitance));
     return scene.surfaces.back().vertices;
   };
   const Polygon open_1 = lamp(1, 1, 1.0, 20.0), open_2 = lamp(4, 1, 0.3, 300.0);
@@ -47,7 +48,8 @@ TEST(EmitterSampler, PickedRaysAreUnbiased) {
   const Polygon half = lamp(3.0, 3.0, 0.1, 500.0);
   const Vec3 p(2.0, 2.0, 0.5), up(0, 0, 1);
   const auto board = [&](double x0, double y0, double x1, double y1) {
-    scene.surfaces.push_back(black({{x0, y0, 2.0}, {x1, y0, 2.0}, {x1, y1, 2.0}, {x0, y1, 2.0}}, 0));
+    scene.surfaces.push_back(
+        black({{x0, y0, 2.0}, {x1, y0, 2.0}, {x1, y1, 2.0}, {x0, y1, 2.0}}, 0));
   };
   board(3.2, 3.2, 5.0, 5.0);
   // Of `half` what lies beyond x = 3.05 is hidden: the line there crosses z = 2 at x = 2.65625.
@@ -96,8 +98,8 @@ TEST(PointGather, RaysOfTheHemisphereAreUnbiased) {
       squares.add(found.noise[0] * found.noise[0] - off * off);
     }
     ++points;
-    EXPECT_TRUE(testing::has_mean(light, one.factor, static_cast<int>(known.size()),
-                                  2e-4 * one.factor))
+    EXPECT_TRUE(
+        testing::has_mean(light, one.factor, static_cast<int>(known.size()), 2e-4 * one.factor))
         << one.name;
     const double variance = light.variance();
     if (variance < 1e-8) continue;

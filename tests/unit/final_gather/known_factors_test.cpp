@@ -60,8 +60,7 @@ TEST(VisibleNodes, HaveTheKnownMoments) {
     const PolygonFrame& frame = forest.frames()[0];
     const Vec3 gradient = 0.3 * frame.u - 0.7 * frame.v;
     const std::span<double> light = forest.radiosity(0);
-    light[0] =
-        1.0 + glm::dot(gradient, frame.at(forest.node(0).shape.centroid) - known.shooter[0]);
+    light[0] = 1.0 + glm::dot(gradient, frame.at(forest.node(0).shape.centroid) - known.shooter[0]);
     light[1] = 0.3;
     light[2] = -0.7;
     const double want = known.factor + glm::dot(gradient, known.moment);
@@ -108,8 +107,8 @@ TEST(EmitterSampler, IntegratesTheKnownFactors) {
     const EmitterSampler sampler(scene.states, scene.occluders);
     Spectrum irradiance{0.0}, variance{0.0};
     Random random(3);
-    const EmitterSampler::ControlVariate control = sampler.add_control_variate(
-        known.x, known.n, in_air, 1e-4, random, irradiance, variance);
+    const EmitterSampler::ControlVariate control =
+        sampler.add_control_variate(known.x, known.n, in_air, 1e-4, random, irradiance, variance);
     if (control.polygons.empty()) {
       EXPECT_EQ(irradiance[0], control.ambient[0]) << known.name;  // left to the rays
       continue;

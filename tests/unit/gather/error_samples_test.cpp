@@ -82,7 +82,8 @@ TEST(ErrorSamples, SeeALampThroughAGrille) {
   add({{.4, .4, 1}, {.4, .6, 1}, {.6, .6, 1}, {.6, .4, 1}}, 1.0);
   const auto bars = [&](int i) {
     const double x = 0.4 + 0.2 * (i + 0.5) / wires, half = 0.04 / wires;  // hide 2 of 5
-    return Polygon{{x - half, .3, .99}, {x + half, .3, .99}, {x + half, .7, .99}, {x - half, .7, .99}};
+    return Polygon{
+        {x - half, .3, .99}, {x + half, .3, .99}, {x + half, .7, .99}, {x - half, .7, .99}};
   };
   for (int i = 0; i < wires; ++i) add(bars(i), 0.0);
   Solved solved(scene, Basis::linear, 1e-2);

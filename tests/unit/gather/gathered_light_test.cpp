@@ -34,8 +34,8 @@ struct TwoClusters {
 
 /// A part that its owner has not made sends its ancestor's light as it is at the part's own middle.
 TEST(GatheredLight, OfAPartThatIsNotMadeIsItsAncestorsThere) {
-  TwoClusters two({quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0),
-                   quad({0, 0, 1}, {0, 3, 0}, {2, 0, 0}, 1.0)});
+  TwoClusters two(
+      {quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0), quad({0, 0, 1}, {0, 3, 0}, {2, 0, 0}, 1.0)});
   PatchForest& shooter = two.states[1].patches();
   const std::span<double> light = shooter.radiosity(0);
   light[0] = 5.0;
@@ -58,16 +58,15 @@ TEST(GatheredLight, OfAPartThatIsNotMadeIsItsAncestorsThere) {
     link.receiver = {0, 1};
     one.read(link, &shooter);
     one.receive(link, transport);
-    EXPECT_NEAR(one.irradiance()[0],
-                0.25 * gathered.means()[0] + 0.5 * 0.7 - 0.125 * -0.4, 1e-5);
+    EXPECT_NEAR(one.irradiance()[0], 0.25 * gathered.means()[0] + 0.5 * 0.7 - 0.125 * -0.4, 1e-5);
   }
 }
 
 /// A group's polygons receive by their cosine to the light; those that face away, nothing.
 TEST(GatheredLight, OfAGroupGoesByTheCosine) {
-  TwoClusters two({quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0, "group"),          // up
-                   quad({2, 0, 0}, {0.6, 0, 0.8}, {0, 1, 0}, 0.0, "group"),      // leans
-                   quad({4, 0, 0}, {0, 1, 0}, {1, 0, 0}, 0.0, "group"),          // down
+  TwoClusters two({quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0, "group"),      // up
+                   quad({2, 0, 0}, {0.6, 0, 0.8}, {0, 1, 0}, 0.0, "group"),  // leans
+                   quad({4, 0, 0}, {0, 1, 0}, {1, 0, 0}, 0.0, "group"),      // down
                    quad({0, 0, 9}, {0, 1, 0}, {1, 0, 0}, 2.0)});
   const PatchForest& receiver = two.states[0].patches();
   ASSERT_EQ(receiver.polygons(), 3u);

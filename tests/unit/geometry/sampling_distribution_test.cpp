@@ -22,7 +22,8 @@ double turn_about(const Vec3& n, const Vec3& d) {
 /// Under a cosine density the square of the sine is uniform, and so is the azimuth.
 TEST(CosineDirection, IsDistributedByTheCosine) {
   Random random(1);
-  const std::vector<Vec3> normals{{0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, glm::normalize(Vec3(1, -2, 0.5))};
+  const std::vector<Vec3> normals{
+      {0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, glm::normalize(Vec3(1, -2, 0.5))};
   for (const Vec3& n : normals) {
     UnitSquareCounts counts(side);
     for (int i = 0; i < draws; ++i) {
@@ -116,7 +117,8 @@ TEST(UniformPoint, IsUniformInThePlane) {
   }
 }
 
-/// Each triangle of the fan is as likely as any other, whatever its area; within one all points are.
+/// Each triangle of the fan is as likely as any other, whatever its area; within one all points
+/// are.
 TEST(RandomPoint, IsUniformInEachTriangleOfTheFan) {
   Random random(5);
   const Polygon polygon = polygons()[2];

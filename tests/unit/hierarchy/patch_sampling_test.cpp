@@ -11,8 +11,8 @@ namespace {
 TEST(PatchShape, PointsInQuartersCoverARectangleEvenly) {
   // A turned rectangle of 3 x 1, its coordinates read off along its sides.
   const Vec2 e1 = glm::normalize(Vec2(3, 1)), e2{-e1.y, e1.x}, origin(5, -2);
-  const PatchShape shape = PatchShape::from(
-      {origin, origin + 3.0 * e1, origin + 3.0 * e1 + e2, origin + e2});
+  const PatchShape shape =
+      PatchShape::from({origin, origin + 3.0 * e1, origin + 3.0 * e1 + e2, origin + e2});
   Random random(1);
   testing::UnitSquareCounts all(12);
   for (int quarter = 0; quarter < 4; ++quarter) {

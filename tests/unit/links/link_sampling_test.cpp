@@ -45,9 +45,7 @@ struct HalfHidden {
   const ClusterState& shooter() const { return states[states.size() - 2]; }
 };
 
-double seen_from(double x, double edge) {
-  return std::clamp(1.0 - (2.0 * edge - x), 0.0, 1.0);
-}
+double seen_from(double x, double edge) { return std::clamp(1.0 - (2.0 * edge - x), 0.0, 1.0); }
 
 /// Small parts of a receiver, each linked to the whole shooter by 1, 4 and 16 rays: on average a
 /// ray is as often open as the shooter's area is seen.
@@ -113,7 +111,8 @@ TEST(LinkEstimator, AGroupReceivesWhatItsPolygonsDo) {
   for (int g = 0; g < groups; ++g) {
     for (int k = 0; k < 3; ++k) {
       const double x = 0.3 * (g % 20) - 2.5, y = 0.3 * (g / 20) - 2.5, lean = 0.05 * (k - 1);
-      Surface tile = sheet({x + 0.05 * k, y}, {x + 0.05 * k + 0.04, y + 0.04}, low + 0.03 * k, true);
+      Surface tile =
+          sheet({x + 0.05 * k, y}, {x + 0.05 * k + 0.04, y + 0.04}, low + 0.03 * k, true);
       tile.vertices[1].z += lean * 0.4;
       tile.vertices[2].z += lean * 0.4;
       tile.object = "tiles " + std::to_string(g);

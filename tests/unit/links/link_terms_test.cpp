@@ -68,8 +68,8 @@ struct Sheets {
         const Vec3 y(lo.x + (hi.x - lo.x) * (i + 0.5) / side,
                      lo.y + (hi.y - lo.y) * (j + 0.5) / side, lo.z);
         if (0.5 * (x.x + y.x) < edge) continue;
-        const double k = point_kernel(x, {0, 0, 1}, y, {0, 0, -1}) * (hi.x - lo.x) *
-                         (hi.y - lo.y) / (side * side);
+        const double k = point_kernel(x, {0, 0, 1}, y, {0, 0, -1}) * (hi.x - lo.x) * (hi.y - lo.y) /
+                         (side * side);
         const Vec2 place = frame.project(y) - patches.node(0).shape.centroid;
         sum[0] += k;
         sum[1] += k * place.x;
@@ -125,15 +125,16 @@ void expect_transport(const Sheets& sheets, double edge) {
 
 /// Beside each other and of unlike sides, so that no coefficient vanishes by symmetry.
 TEST(LinkTransport, OfAnOpenPairIsTheBestFit) {
-  const Sheets sheets(sheet({0.1, 0.2}, {0.5, 0.4}, 0, true), sheet({0.7, 0.5}, {1.1, 1.0}, 1, false),
-                      {}, Basis::linear);
+  const Sheets sheets(sheet({0.1, 0.2}, {0.5, 0.4}, 0, true),
+                      sheet({0.7, 0.5}, {1.1, 1.0}, 1, false), {}, Basis::linear);
   expect_transport(sheets, -9.0);
 }
 
 /// The visible part's light comes from another place than the shooter's middle.
 TEST(LinkTransport, OfAHalfHiddenPairIsTheBestFit) {
   const double edge = 0.55;
-  const Sheets sheets(sheet({0.1, 0.2}, {0.3, 0.3}, 0, true), sheet({0.5, 0.5}, {1.3, 1.1}, 1, false),
+  const Sheets sheets(sheet({0.1, 0.2}, {0.3, 0.3}, 0, true),
+                      sheet({0.5, 0.5}, {1.3, 1.1}, 1, false),
                       {sheet({-5, -5}, {edge, 5}, 0.5, true)}, Basis::linear);
   ASSERT_EQ(sheets.work.rays, 0u);
   expect_transport(sheets, edge);
@@ -145,8 +146,8 @@ TEST(LinkEstimator, ASmallShooterGivesAllThatItSends) {
   const Surface shooter = sheet({0.62, 0.55}, {0.64, 0.58}, 0.15, false);
   const Sheets sheets(sheet({0, 0}, {1, 1}, 0, true), shooter, {}, Basis::constant);
   const Vec3 middle(0.63, 0.565, 0.15);
-  const double sent = 0.02 * 0.03 *
-                      point_to_polygon(middle, {0, 0, -1}, sheets.clusters[0].polygons[0].polygon);
+  const double sent =
+      0.02 * 0.03 * point_to_polygon(middle, {0, 0, -1}, sheets.clusters[0].polygons[0].polygon);
   EXPECT_NEAR(sheets.estimate.transport[0], sent, 0.01 * sent);
 }
 

@@ -73,12 +73,14 @@ TEST(EnclosedShare, HasTheKnownFactorsForMeans) {
     for (std::size_t i = 0; i < patches.size(); ++i) {
       const PatchNode& node = patches.node(i);
       if (!node.leaf()) continue;
-      const double share = enclosed_share(receiving, node, 4, occluders,
-                                          [](const PolygonRef& p) { return p.cluster.index() == 0; }, work);
+      const double share = enclosed_share(
+          receiving, node, 4, occluders, [](const PolygonRef& p) { return p.cluster.index() == 0; },
+          work);
       mean += node.shape.area_m2 * share;
       area += node.shape.area_m2;
       // Of 64 independent rays; stratified ones vary less.
-      variance += node.shape.area_m2 * node.shape.area_m2 * std::max(share * (1.0 - share), 1e-3) / 64.0;
+      variance +=
+          node.shape.area_m2 * node.shape.area_m2 * std::max(share * (1.0 - share), 1e-3) / 64.0;
     }
     const double p_limit = testing::sidak(tests);
     const boost::math::normal_distribution<> normal;

@@ -83,7 +83,8 @@ TEST(EmittedRay, HasTheLightsDistribution) {
 
 TEST(PointOn, IsUniformOverTheOpening) {
   Random random(2);
-  for (const OpeningShape shape : {OpeningShape::rectangle, OpeningShape::disc, OpeningShape::box}) {
+  for (const OpeningShape shape :
+       {OpeningShape::rectangle, OpeningShape::disc, OpeningShape::box}) {
     const LightSource light = luminaire(shape);
     std::vector<double> counts, probability;
     double whole = 0.0;
