@@ -267,8 +267,7 @@ void Gatherer::close_rows() {
   RowClosureSums sums = closure_.close(occluders_, config_.flux_correction, result_.figures.work,
                                        light_.irradiance());
   result_.figures.uncertain_power = std::move(sums.uncertain_power);
-  result_.figures.row_deficit_m2 = sums.deficit_m2;
-  result_.figures.row_closed_m2 = sums.closed_m2;
+  result_.figures.rows = std::move(sums.rows);
   const Spectrum after = reflected_power();
   for (std::size_t b = 0; b < bands_; ++b) {
     if (before[b] <= 0.0 || after[b] <= 0.0) continue;

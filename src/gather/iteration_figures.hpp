@@ -9,6 +9,7 @@
 
 #include "base/work_count.hpp"
 #include "gather/error_samples.hpp"
+#include "gather/row_sums.hpp"
 
 namespace enfilade {
 
@@ -25,9 +26,7 @@ struct IterationFigures {
   std::uint64_t linked_clusters = 0;
   std::uint64_t steals = 0, steal_requests = 0;
   WorkCount work;
-  // Of the rows before their closure (row_closure.hpp), zero where no rows were closed:
-  double row_deficit_m2 = 0.0;  ///< sum of area * |enclosed share - row sum|
-  double row_closed_m2 = 0.0;   ///< area of the leaves that this is summed over
+  RowSums rows;  ///< before their closure (row_closure.hpp), zero where no rows were closed
   // Per band:
   Spectrum arriving_power;   ///< sum of area * irradiance
   Spectrum returning_power;  ///< the reflected (not emitted) part of arriving_power
@@ -95,9 +94,11 @@ void for_each_number(Visit visit) {
   visit(
       FigureName{"shafts", Fold::sum, total}, [](auto& f) -> auto& { return f.work.shafts; });
   visit(
-      FigureName{"row_deficit_m2"}, [](auto& f) -> auto& { return f.row_deficit_m2; });
+      FigureName{"row_deficit_m2"}, [](auto& f) -> auto& { return f.rows.deficit_m2; });
   visit(
-      FigureName{"row_closed_m2"}, [](auto& f) -> auto& { return f.row_closed_m2; });
+      FigureName{"row_closed_m2"}, [](auto& f) -> auto& { return f.rows.closed_m2; });
+  visit(
+      FigureName{"row_ratio_m2"}, [](auto& f) -> auto& { return f.rows.ratio_m2; });
 }
 
 /// The figures of for_each_figure() that are a Spectrum.
@@ -126,26 +127,36 @@ void for_each_spectrum(Visit visit) {
       FigureName{"error_samples_noise"}, [](auto& f) -> auto& { return f.error_samples.noise; });
 }
 
+/// The figures that are a list of RowSums::cells numbers, or empty.
+template <class Visit>
+void for_each_histogram(Visit visit) {
+  visit(
+      FigureName{"row_area_by_ratio"}, [](auto& f) -> auto& { return f.rows.area_by_ratio; });
+}
+
 /// Calls visit(FigureName, access) for each figure; access(figures) is a reference to it: a double,
-/// a count, or a Spectrum. All spectra have the same number of bands. Messages, the manifest and
-/// recordings keep this order: a change to the list needs a new manifest_version (run/manifest.cpp)
-/// and a new mark of recordings (schemes/protocol/gather_cost.cpp).
+/// a count, or a list of numbers: a Spectrum or a histogram. All spectra have the same number of
+/// bands. Messages, the manifest and recordings keep this order: a change to the list needs a new
+/// manifest_version (run/manifest.cpp) and a new mark of recordings
+/// (schemes/protocol/gather_cost.cpp).
 template <class Visit>
 void for_each_figure(Visit visit) {
   for_each_number(visit);
   for_each_spectrum(visit);
+  for_each_histogram(visit);
 }
 
-/// True where access() of for_each_figure() returns a Spectrum, not one number.
+/// True where access() of for_each_figure() returns a list, not one number.
 template <class Access>
-inline constexpr bool is_spectrum =
-    std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Access, IterationFigures&>>, Spectrum>;
+inline constexpr bool is_list =
+    std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Access, IterationFigures&>>,
+                   std::vector<double>>;
 
 /// Adds one part (a cluster's, a rank's) to another, each figure by its Fold.
 void add(IterationFigures& figures, const IterationFigures& part);
 
 /// Figures as plain numbers, by their Fold, each in the list's order; the bands of a Spectrum stand
-/// one after the other.
+/// one after the other, and so do the cells of a histogram.
 struct FoldedNumbers {
   std::vector<double> maxima, sums;
 };

@@ -251,7 +251,7 @@ RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flu
   const std::vector<char> open = find_openings(rings, occluders, work);
   std::vector<double> arrived(gathered);  // from links at the leaf and above it
   patches.push(arrived, bands_ * terms_, patches.bands());
-  RowClosureSums sums{Spectrum(bands_, 0.0)};
+  RowClosureSums sums{Spectrum(bands_, 0.0), {}};
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
@@ -261,8 +261,7 @@ RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flu
     }
     correct_flux(n, flux_correction, gathered);
     if (target <= 0.0) continue;
-    sums.deficit_m2 += area_m2 * std::abs(target - row(n)[0]);
-    sums.closed_m2 += area_m2;
+    sums.rows.add(area_m2, row(n)[0], target);
     if (uncertainty(n) <= 0.0) continue;
     const Deficit missing = deficit(n, open[node.id.root] != 0, 4.0 * rings * rings);
     if (missing.missing >= 0.0) {

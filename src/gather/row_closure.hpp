@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "far_field/building_light.hpp"
+#include "gather/row_sums.hpp"
 #include "occluders/openness.hpp"
 
 namespace enfilade {
@@ -13,8 +14,7 @@ namespace enfilade {
 /// The effect of a closure, summed over the leaves.
 struct RowClosureSums {
   Spectrum uncertain_power;  ///< per band: area times uncertain irradiance
-  double deficit_m2 = 0.0;   ///< area * |enclosed share - row sum| before the closure
-  double closed_m2 = 0.0;    ///< area of the leaves in deficit_m2: those whose rows have a target
+  RowSums rows;              ///< before the closure
 };
 
 /// Sums the rows of one receiving cluster while its light is gathered. Then adds to each leaf (or

@@ -49,6 +49,22 @@ double point_to_polygon(const Vec3& x, const Vec3& n, std::span<const Vec3> poly
   return std::clamp(-sum / (2.0 * std::numbers::pi), 0.0, 1.0);
 }
 
+double rim_misfit(const FlatReceiver& receiver, std::span<const Vec3> shooter,
+                  const std::array<double, 4>& at, std::uint64_t& evaluated,
+                  const RimConfig& config) {
+  const auto [least, most] = std::minmax_element(at.begin(), at.end());
+  if (*most <= 0.0 || *most - *least > config.spread * *most) return 0.0;
+  const Vec3 area = area_vector(shooter);
+  const double gap_m = std::abs(glm::dot(area, receiver.center - shooter[0])) / glm::length(area);
+  if (gap_m > config.gap * receiver.radius_m) return 0.0;
+  double off = 0.0;
+  for (const Vec3& corner : receiver.corners)
+    off += std::abs(*most - point_to_polygon(corner, receiver.n, shooter));
+  evaluated += receiver.corners.size();
+  return std::min(config.most_area, config.area_per_gap * gap_m / receiver.radius_m) * off /
+         static_cast<double>(receiver.corners.size());
+}
+
 double solid_angle(const Vec3& x, std::span<const Vec3> polygon) {
   double sum = 0.0;
   const Vec3 a = polygon[0] - x;

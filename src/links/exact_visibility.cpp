@@ -48,9 +48,8 @@ Vec2 mean_place(const VisibleParts& parts, const Vec3& x, const Vec3& n,
 bool LinkVisibility::cut_parts(const Vec3& x, const LinkSide& shooter) {
   ++work_->form_factors;
   parts_.begin(x, shooter.corners, occluders_->tolerance_m());
-  for (const std::uint32_t occluder : between_) {
+  for (const std::uint32_t occluder : between_)
     if (!parts_.hide(occluders_->polygon(occluder))) return false;
-  }
   return true;
 }
 

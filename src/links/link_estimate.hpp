@@ -32,7 +32,7 @@ struct PointFactors {
   double rim = 0.0;  ///< largest near the corners; 0 where the inner points suffice (not evaluated)
   double total = -1.0;  ///< the exact mean over the patch, where it is known; else below 0
   double spread = 0.0;  ///< of a light's part: mean error of its points (LightKernel::spread)
-  double unfit = 0.0;   ///< of a light's beam: mean misfit of the affine fit at the corners
+  double unfit = 0.0;  ///< mean misfit of the affine fit at the corners: of a beam, of close planes
 };
 
 /// Evaluates links of one receiving cluster. Counts its work; keeps scratch memory between calls.

@@ -37,9 +37,8 @@ double power_from(const LinkSide& receiver, const LinkSide& shooter, WorkCount& 
   }
   const PolygonFrame& frame = shooter.frame();
   double sum = 0.0;
-  for (const Vec2& q : shooter.shape.quadrature()) {
+  for (const Vec2& q : shooter.shape.quadrature())
     sum += 0.25 * point_to_polygon(frame.at(q), frame.n, receiver.corners);
-  }
   work.form_factors += 4;
   return shooter.area_m2 * sum;
 }
@@ -219,6 +218,9 @@ PointFactors LinkEstimator::point_factors(const LinkSide& receiver, const LinkSi
     }
   }
   if (shooter.is_light()) add_light_terms(receiver, shooter, factor, *work_);
+  if (shooter.is_patch())
+    factor.unfit = rim_misfit({receiver.corners, frame.n, receiver.center, receiver.radius},
+                              shooter.corners, factor.at, work_->form_factors);
   return factor;
 }
 

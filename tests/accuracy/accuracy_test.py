@@ -1,7 +1,7 @@
 """Solves a scene at default settings and holds the light at its probes against an independent reference.
 
 usage: accuracy_test.py ENFILADE SCENE REFERENCE [--max-l1 X] [--max-rms X] [--max-relative X] [--max-median X] [--max-dark X]
-                        [--max-links N] [--max-rays N]
+                        [--max-links N] [--max-rays N] [--rows X]
 """
 import argparse
 import contextlib
@@ -32,6 +32,8 @@ def main():
                         help="median relative error over points above 1 percent of the mean")
     parser.add_argument("--max-dark", type=float,
                         help="light, as a share of the mean, at points that are dark in the reference")
+    parser.add_argument("--rows", type=float, help="the sums of the rows before they are closed: mean off 1 by at most this, and all but the "
+                        "first and last hundredth of the area by at most ten times this")
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--target-error", default="0.02")
     parser.add_argument("--kills", type=int, default=0,
@@ -93,6 +95,11 @@ def judge(options, want, got, stats):
 
     check("links", stats["links"], options.max_links)
     check("rays", stats["rays"], options.max_rays)
+    # A furnace comes out right whatever the form factors are, once its rows are closed.
+    if options.rows is not None:
+        check("mean of the rows' sums less 1", abs(stats["mean_row_ratio"] - 1.0), options.rows)
+        check("1 percent of the rows below 1 by", 1.0 - stats["row_ratio_1_percent"], 10.0 * options.rows)
+        check("1 percent of the rows above 1 by", stats["row_ratio_99_percent"] - 1.0, 10.0 * options.rows)
     bands = len(want[0]["E"])
     for band in range(bands):
         reference = [p["E"][band] for p in want]

@@ -26,6 +26,7 @@ struct Context {
 
 void ring_token(Context& context);
 void ring_with_one_late_rank(Context& context);
+void request_ahead_of_its_iteration(Context& context);
 void group_iteration(Context& context);
 void stealing(Context& context);
 void linear_system(Context& context);

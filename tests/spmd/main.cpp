@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   const std::unique_ptr<Machine> machine = make_machine("");
   const std::map<std::string, void (*)(Context&)> tests = {
       {"ring_token", ring_token},
+      {"request_ahead_of_its_iteration", request_ahead_of_its_iteration},
       {"ring_with_one_late_rank", ring_with_one_late_rank},
       {"group_iteration", group_iteration},
       {"stealing", stealing},

@@ -55,6 +55,42 @@ void ring_with_one_late_rank(Context& context) {
              std::to_string(context.machine.now_s()));
 }
 
+/// Ranks that have gone on to iteration 2 ask rank 0, which is still in iteration 1 and has
+/// clusters to give: they get none of that iteration, and one each as soon as rank 0 has gone on as
+/// well.
+void request_ahead_of_its_iteration(Context& context) {
+  Communicator& c = context.communicator;
+  constexpr std::uint32_t clusters = 32;
+  const ClusterGraph graph(clusters, {});
+  const VisibilityCost cost(graph, std::vector<std::uint64_t>(clusters, 100), 1 << 20);
+  std::vector<ClusterId> own;
+  for (std::uint32_t i = 0; c.root() && i < clusters; ++i) own.emplace_back(i);
+  TaskList tasks(own, cost, make_order(TourOrder::input, 1, graph));
+  ProgressEngine engine(c, context.machine, tasks);
+  tasks.start();
+  engine.start(c.root() ? 1 : 2);
+  if (!c.root()) send(c, Rank{0}, StealRequest{2, {}, {}});
+  c.barrier();
+  if (c.root()) {
+    const double until_s = context.machine.now_s() + 0.1;  // the requests have come by then
+    for (int turn = 0; context.machine.now_s() < until_s; ++turn) {
+      engine.progress();
+      context.machine.pause(turn);
+    }
+    SPMD_CHECK(tasks.waiting() == clusters, std::to_string(tasks.waiting()) + " are left");
+    engine.start(2);
+    while (tasks.waiting() + static_cast<std::size_t>(c.size()) > clusters + 1) {
+      engine.progress();
+      context.machine.pause(1);
+    }
+  } else {
+    const StealReply reply = engine.wait_for<StealReply>();
+    SPMD_CHECK(reply.cluster.valid(), "nothing was given");
+  }
+  c.finish_sends();
+  c.barrier();
+}
+
 void long_message(Context& context) {
   // Longer than an inbox, from all to rank 0 at once, between short ones: whole, and in order.
   Communicator& c = context.communicator;

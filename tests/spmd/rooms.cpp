@@ -110,6 +110,17 @@ Prepared prepared_in(Context& context, const std::string& run, const Scene& scen
       {}, false, lock);
 }
 
+std::vector<double> all_radiosities(const std::vector<ClusterState>& clusters) {
+  std::vector<double> all;
+  for (const ClusterState& state : clusters) {
+    for (std::size_t i = 0; i < state.patches().size(); ++i) {
+      const std::span<const double> light = state.patches().radiosity(i);
+      all.insert(all.end(), light.begin(), light.end());
+    }
+  }
+  return all;
+}
+
 std::vector<double> mean_radiosities(const std::vector<ClusterState>& clusters) {
   std::vector<double> means;
   for (const ClusterState& state : clusters) {

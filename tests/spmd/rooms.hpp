@@ -22,6 +22,8 @@ Scene lit_hall();
 /// The scene, prepared in RUN; with --resume, what is there stays. All ranks call it.
 Prepared prepared_in(Context& context, const std::string& run, const Scene& scene);
 
+/// All coefficients of the radiosity of all nodes of all clusters, in the order of their ids.
+std::vector<double> all_radiosities(const std::vector<ClusterState>& clusters);
 /// Mean radiosity of each cluster, in the order of their ids.
 std::vector<double> mean_radiosities(const std::vector<ClusterState>& clusters);
 

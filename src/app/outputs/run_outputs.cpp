@@ -40,7 +40,7 @@ RunRecord record_of(const IterationSummary& summary) {
                                     ? summary.figures.change_power / summary.figures.received_power
                                     : 0.0);
   for_each_figure([&](const FigureName& figure, auto access) {
-    if constexpr (!is_spectrum<decltype(access)>) record.set(figure.name, access(summary.figures));
+    if constexpr (!is_list<decltype(access)>) record.set(figure.name, access(summary.figures));
   });
   record.set("time_s", summary.time_s);
   return record;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST5";
+constexpr std::string_view mark = "ENFCOST6";
 
 /// Where a file of costs belongs.
 struct CostPlace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "scene/equal_bands.hpp"
 #include "solver/energy_conservation.hpp"
@@ -58,20 +57,25 @@ void describe_scene(RunRecord& record, const Prepared& prepared, Basis basis,
 
 void set_figures(RunRecord& record, const IterationFigures& figures, InStats when) {
   for_each_figure([&](const FigureName& figure, auto access) {
-    if constexpr (!is_spectrum<decltype(access)>) {
+    if constexpr (!is_list<decltype(access)>) {
       if (figure.in_stats == when) record.set(figure.name, access(figures));
     }
   });
 }
 
-/// Mean |enclosed share - row sum| of the form factors before closure, by area, in the last
-/// iteration that closed rows; nothing where none did.
-std::optional<double> mean_row_deficit(const std::vector<IterationSummary>& history) {
+/// The sums of rows before their closure, by area, in the last iteration that closed rows; nothing
+/// where none did.
+void describe_rows(RunRecord& record, const std::vector<IterationSummary>& history) {
+  constexpr double low = 0.01, high = 0.99;
   for (std::size_t i = history.size(); i-- > 0;) {
-    const IterationFigures& figures = history[i].figures;
-    if (figures.row_closed_m2 > 0.0) return figures.row_deficit_m2 / figures.row_closed_m2;
+    const RowSums& rows = history[i].figures.rows;
+    if (rows.closed_m2 <= 0.0) continue;
+    record.set("mean_row_deficit", RunRecord::Value(rows.mean_deficit()));
+    record.set("mean_row_ratio", RunRecord::Value(rows.mean_ratio()));
+    record.set("row_ratio_1_percent", RunRecord::Value(rows.percentile(low)));
+    record.set("row_ratio_99_percent", RunRecord::Value(rows.percentile(high)));
+    return;
   }
-  return std::nullopt;
 }
 
 void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& emitted,
@@ -100,8 +104,7 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
     stays[b] -= end.escaping_power[b];
   }
   record.set("escaping_share", RunRecord::Value(largest_share(emitted, stays)));
-  if (const auto deficit = mean_row_deficit(history))
-    record.set("mean_row_deficit", RunRecord::Value(*deficit));
+  describe_rows(record, history);
   set_figures(record, all, InStats::total);
 }
 

@@ -63,6 +63,29 @@ TEST(CoarseSystem, TakesLightThatWasReadFreshAsItIs) {
   EXPECT_NEAR(rho1 * (1.0 + both) * (1.0 + x[1]), rho1 * e1, 1e-5);
 }
 
+/// An unknown gives no more than it reflects and keeps, whatever its links say: with flows that
+/// claim more, the correction is that of flows at this limit.
+TEST(CoarseSystem, WhatEscapesIsNotGiven) {
+  const auto changes = [](double claimed) {
+    CoarseSystem system(2, 1);
+    const CoarseUnknowns unknowns{{0, 1}, {1, 1}, 2};
+    CoarseRow row;
+    row.before = {0.8};
+    row.after = {1.0};
+    row.absorbed = {0.2};
+    row.escaping = {0.5};
+    row.entries = {{ClusterId(1u), true, {0.1}}};
+    system.add(ClusterId(0u), row, unknowns);
+    row.entries = {{ClusterId(0u), true, {claimed}}};
+    system.add(ClusterId(1u), row, unknowns);
+    return system.solve(unknowns).value();
+  };
+  const double growth = 1.0 / 0.8, limit = 0.3 / growth;
+  const std::vector<double> most = changes(0.6), at_limit = changes(limit), less = changes(0.1);
+  EXPECT_GT(std::abs(at_limit[1]), 1.5 * std::abs(less[1]));
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(most[i], at_limit[i], 1e-9);
+}
+
 TEST(CoarseSystem, LightWithoutASourceVanishes) {
   // A closed pair of clusters with light left over, which fades by a tenth a sweep, and no source.
   CoarseSystem system(2, 1);

@@ -72,6 +72,7 @@ struct Solved {
   int iterations = 0;
   double absorbed_share = 0.0;  // of band 0's emitted power
   std::size_t links = 0;
+  IterationFigures figures;  ///< of the last iteration
   WorkCount work;
 
   Solved(Scene s, Basis basis, double epsilon, bool coarse = true, int most = 500,
@@ -94,6 +95,7 @@ struct Solved {
       CoarseSystem system(unknowns.count, bands);
       double change = 0.0, received = 0.0, absorbed = 0.0;
       links = 0;
+      figures = {};
       std::vector<ClusterState> committed;
       if (unknowns.aggregated()) committed = states;
       const std::vector<ClusterState>& light = unknowns.aggregated() ? committed : states;
@@ -106,6 +108,7 @@ struct Solved {
         received += r.figures.received_power;
         absorbed += r.figures.absorbed_power[0];
         work += r.figures.work;
+        add(figures, r.figures);
         links += receiver.links().size();
         system.add(receiver.id(), r.coarse, unknowns);
       }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/form_factor.hpp"
+#include "geometry/visible_parts.hpp"
 #include "unit/gather/box_room.hpp"
 
 namespace enfilade {
@@ -63,6 +64,42 @@ TEST(ErrorSamples, FindAnErrorOfAllLight) {
     add(wrong, samples.compare(bright));
   }
   EXPECT_NEAR(wrong.surplus[0] / wrong.light[0], -0.05, 5e-3);
+}
+
+/// A lamp behind more wires than are cut out of it gets rays of its own: what they find hidden is
+/// hidden.
+TEST(ErrorSamples, SeeALampThroughAGrille) {
+  constexpr int wires = 60;
+  Scene scene = testing::box_room({0, 0, 0}, {1, 1, 1}, {0.0}, {0.0});
+  scene.surfaces.resize(1);
+  const auto add = [&scene](Polygon corners, double exitance) {
+    Surface surface;
+    surface.vertices = std::move(corners);
+    surface.reflectance = {0.0};
+    surface.exitance = {exitance};
+    scene.surfaces.push_back(surface);
+  };
+  add({{.4, .4, 1}, {.4, .6, 1}, {.6, .6, 1}, {.6, .4, 1}}, 1.0);
+  const auto bars = [&](int i) {
+    const double x = 0.4 + 0.2 * (i + 0.5) / wires, half = 0.04 / wires;  // hide 2 of 5
+    return Polygon{
+        {x - half, .3, .99}, {x + half, .3, .99}, {x + half, .7, .99}, {x - half, .7, .99}};
+  };
+  for (int i = 0; i < wires; ++i) add(bars(i), 0.0);
+  Solved solved(scene, Basis::linear, 1e-2);
+  double truth = 0.0;
+  constexpr int side = 24;
+  VisibleParts parts;
+  for (int i = 0; i < side * side; ++i) {
+    parts.begin({(i / side + 0.5) / side, (i % side + 0.5) / side, 0.0}, scene.surfaces[1].vertices,
+                1e-9);
+    for (int k = 0; k < wires; ++k) ASSERT_TRUE(parts.hide(bars(k), 100000));
+    truth += parts.factor({0, 0, 1}) / (side * side);
+  }
+  const ErrorSampleSums sums =
+      sampled(solved, 0, {.rays = 128, .per_area = 400.0, .mean_irradiance = 1e-3});
+  EXPECT_NEAR(sums.light[0], truth, 0.03 * truth);
+  EXPECT_GT(sums.noise[0], 0.0);
 }
 
 /// In a furnace every ray brings the same: how many meet what is not counted is no noise.

@@ -71,8 +71,8 @@ TEST(RowClosure, TakesNoMoreFromALinkThanItBrought) {
 TEST(RowClosure, SumsTheDeficitsBeforeItself) {
   for (const float share : {0.75f, 1.25f}) {
     const RowClosureSums sums = closed(share, 0.5f, {800.0}, 0.0).sums;
-    EXPECT_NEAR(sums.deficit_m2, 0.25 * 16.0, 1e-9);
-    EXPECT_NEAR(sums.closed_m2, 16.0, 1e-9);
+    EXPECT_NEAR(sums.rows.deficit_m2, 0.25 * 16.0, 1e-9);
+    EXPECT_NEAR(sums.rows.closed_m2, 16.0, 1e-9);
   }
 }
 

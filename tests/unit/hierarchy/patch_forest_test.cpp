@@ -69,6 +69,50 @@ TEST(PatchForest, AGroupSendsTheMeanOfItsPolygonsByArea) {
   EXPECT_EQ(f.exitance({0, 0b101}, 0), f.frames()[0].exitance[0]);
 }
 
+/// The light of a group, not only what it emits: by area, with the deviation of its polygons.
+TEST(PatchForest, AGroupHasTheLightOfItsPolygonsByArea) {
+  Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {0.0});
+  testing::add_block(scene, {1, 0.5, 0}, {1.5, 1, 3.0}, {1.0}, {0.0});
+  ClusterState state(testing::clusters_of(scene).back(), scene, Basis::constant);
+  PatchForest& f = state.patches();
+  std::vector<double> irradiance;
+  double area = 0.0, power = 0.0, square = 0.0;
+  for (std::size_t k = 0; k < f.polygons(); ++k) {
+    irradiance.push_back(1.0 + static_cast<double>(k * k));
+    const double m2 = f.node(k).shape.area_m2;
+    area += m2;
+    power += m2 * irradiance.back();
+    square += m2 * irradiance.back() * irradiance.back();
+  }
+  f.push_pull(irradiance);
+  const double mean = power / area;
+  EXPECT_NEAR(f.group_radiosity(f.root().group())[0], mean, 1e-9);
+  EXPECT_NEAR(f.group_deviation(f.root().group()), std::sqrt(square / area - mean * mean), 1e-9);
+}
+
+/// New patches start with their parent's affine light.
+TEST(PatchForest, HalvesBeginWithTheLightOfTheWhole) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear);
+  PatchForest& f = state.patches();
+  const std::vector<double> light{5.0, 0.7, -0.4};
+  for (const std::span<double> values : {f.radiosity(0), f.irradiance(0)})
+    std::copy(light.begin(), light.end(), values.begin());
+  std::size_t leaf = 0;
+  for (int depth = 0; depth < 3; ++depth) {
+    const std::size_t child = f.subdivide(leaf);
+    for (const std::size_t c : {child, child + 1}) {
+      const Vec2 d = f.node(c).shape.centroid - f.node(0).shape.centroid;
+      for (const std::span<const double> values : {f.radiosity(c), f.irradiance(c)}) {
+        EXPECT_NEAR(values[0], 5.0 + 0.7 * d.x - 0.4 * d.y, 1e-12);
+        EXPECT_EQ(values[1], 0.7);
+        EXPECT_EQ(values[2], -0.4);
+      }
+    }
+    leaf = child + 1;
+  }
+}
+
 TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
   ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);

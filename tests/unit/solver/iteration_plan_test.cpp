@@ -132,7 +132,7 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   s.plan.flux_correction = {0.5, -0.25};
   s.time_s = 9.0;
   s.correction_failed = true;
-  s.figures.row_deficit_m2 = 0.5;
+  s.figures.rows.add(2.0, 0.75, 1.0);
   s.figures.max_change = 0.75;
   s.figures.steals = 3;
   s.figures.work.rays = 1234567890123;
@@ -151,7 +151,8 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   EXPECT_EQ(back.plan.iteration, 7);
   EXPECT_FALSE(back.plan.refine);
   EXPECT_TRUE(back.correction_failed);
-  EXPECT_EQ(back.figures.row_deficit_m2, 0.5);
+  EXPECT_EQ(back.figures.rows.deficit_m2, 0.5);
+  EXPECT_EQ(back.figures.rows.area_by_ratio, s.figures.rows.area_by_ratio);
   EXPECT_EQ(back.figures.work.rays, 1234567890123u);
   EXPECT_EQ(back.figures.work.shafts, 8u);
   EXPECT_EQ(back.error.iteration_bound, 0.5);
