@@ -156,7 +156,8 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(const Vec3& p
         clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
     for (const VisibleNode& node : polygon.nodes) {
       for (std::size_t band = 0; band < irradiance.size(); ++band) {
-        irradiance[band] += node.irradiance(forest, band) - node.factor * control.ambient[band];
+        irradiance[band] +=
+            node.irradiance(forest, band) - node.factor_in(band) * control.ambient[band];
       }
     }
   }
@@ -167,10 +168,11 @@ void EmitterSampler::add_emitted(const ControlVariate& control, Spectrum& irradi
   for (const ControlledPolygon& polygon : control.polygons) {
     const PolygonRef ref = occluders_->local(polygon.polygon);
     const PolygonFrame& frame = clusters_[ref.cluster.index()].patches().frames()[ref.polygon];
-    double factor = 0.0;
-    for (const VisibleNode& node : polygon.nodes) factor += node.factor;
-    for (std::size_t band = 0; band < irradiance.size(); ++band)
+    for (std::size_t band = 0; band < irradiance.size(); ++band) {
+      double factor = 0.0;
+      for (const VisibleNode& node : polygon.nodes) factor += node.factor_in(band);
       irradiance[band] += factor * frame.exitance[band];
+    }
   }
 }
 
@@ -201,10 +203,11 @@ void EmitterSampler::add_picked(const Vec3& p, const Vec3& n, std::uint32_t own,
   const double factor = point_to_polygon(p, n, b.corners);
   if (factor <= 0.0) return;
   const Vec3 y = frame.at(b.forest->node(b.k).shape.point_in_quarter(quarter, r1, r2));
-  if (occluders_->rays().occluded(p, y, own, b.polygon, RayStart::in_air)) return;
+  const Passage passage = occluders_->passage(p, y, own, b.polygon, RayStart::in_air);
+  if (passage.share <= 0.0) return;
   const double chance = (weights[i] - (i > 0 ? weights[i - 1] : 0.0)) / weights.back();
   for (std::size_t band = 0; band < irradiance.size(); ++band) {
-    irradiance[band] += share[band] * factor / chance * b.radiosity(band);
+    irradiance[band] += passage.band(band) * share[band] * factor / chance * b.radiosity(band);
   }
 }
 

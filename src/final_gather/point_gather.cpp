@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "final_gather/emitter_sampler.hpp"
+#include "final_gather/pane_light.hpp"
 #include "final_gather/point_place.hpp"
 #include "geometry/sampling.hpp"
 #include "occluders/light_at.hpp"
@@ -85,7 +86,7 @@ void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum&
   for (const LightSource& light : lights) {
     const LightAtPoint found = light_at(light, place, *occluders);
     for (std::size_t band = 0; band < bands; ++band) {
-      e[band] += light.intensity[band] * found.irradiance;
+      e[band] += light.intensity[band] * found.band(band);
       const double error = light.intensity[band] * found.error;
       variance[band] += error * error;
     }
@@ -99,9 +100,9 @@ void PointGather::Impl::add_lights(const LitPlace& place, std::span<const double
   for (const LightSource& light : lights) {
     const double r1 = light.opening.empty() ? 0.0 : random.uniform();
     const double r2 = light.opening.empty() ? 0.0 : random.uniform();
-    const double kernel = light_by_one_ray(light, place, *occluders, r1, r2);
+    const LightAtPoint found = light_by_one_ray(light, place, *occluders, r1, r2);
     for (std::size_t band = 0; band < bands; ++band)
-      e[band] += share[band] * light.intensity[band] * kernel;
+      e[band] += share[band] * light.intensity[band] * found.band(band);
   }
 }
 
@@ -129,7 +130,12 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     if (bounces == 0) first = hit;
     const bool ends = !hit.any() || !hit.front;
     const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
-    for (std::size_t b = 0; b < bands && bounces == 0 && controlled == nullptr; ++b) {
+    // Behind panes the control variate is the ambient light and, of each controlled polygon, what
+    // it sends more than that, dimmed.
+    const bool dimmed = occluders->panes().any() &&
+                        add_pane_light({from, direction, hit, own}, clusters, *occluders, emitters,
+                                       bounces == 0 ? &control : nullptr, carried, e);
+    for (std::size_t b = 0; b < bands && bounces == 0 && (controlled == nullptr || dimmed); ++b) {
       e[b] -= share * control.ambient[b];
     }
     if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
@@ -139,7 +145,8 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     const VisibleNode* node =
         controlled != nullptr ? node_around(controlled->nodes, patches, ref.polygon, at) : nullptr;
     for (std::size_t b = 0; b < bands && node != nullptr; ++b) {
-      e[b] -= share * node->radiosity(patches, b, at);
+      const double rest = dimmed ? control.ambient[b] : 0.0;
+      e[b] -= carried[b] * (node->radiosity(patches, b, at) - rest);
     }
     if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);

@@ -45,6 +45,7 @@ class Survey {
       for (Polygon& part : convex_parts(scene.surfaces[s].vertices, scale).parts) {
         polygons_.push_back(std::move(part));
         surface_of_.push_back(s);
+        panes_.push_back(scene.surfaces[s].is_pane() ? 1 : 0);
       }
     }
     back_power_.resize(scene.surfaces.size());
@@ -53,7 +54,7 @@ class Survey {
 
   void tell() {
     constexpr std::size_t rays = 16384, fewest = 16;
-    const RayScene blockers(polygons_);
+    const RayScene blockers(polygons_, panes_);
     Random random(1);
     double total = 0.0;
     for (const Emitter& e : emitters_) total += e.power;
@@ -156,6 +157,7 @@ class Survey {
   Warnings& warnings_;
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> surface_of_;
+  std::vector<char> panes_;  ///< by polygon: light passes it
   std::vector<Emitter> emitters_;
   std::vector<double> back_power_;  ///< by surface
   std::map<std::string, LampLight> lamps_;

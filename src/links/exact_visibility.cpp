@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/form_factor.hpp"
-#include "hierarchy/four_point_fit.hpp"
 #include "links/link_visibility.hpp"
+#include "links/terms/four_point_fit.hpp"
 
 namespace enfilade {
 namespace {
@@ -22,25 +22,26 @@ constexpr double all_hidden_uncertainty = 0.02;
 
 /// The centroid of the parts' light in their polygon's frame, as x with normal n weighs it: three
 /// points a triangle, exact for quadratics (Strang and Fix 1973).
-Vec2 mean_place(const VisibleParts& parts, const Vec3& x, const Vec3& n,
-                const PolygonFrame& frame) {
-  Vec2 sum(0.0);
+struct MeanPlace {
+  const Vec3 &x, &n;
+  const PolygonFrame& frame;
+  Vec2 sum{0.0};
   double weight = 0.0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const std::span<const Vec3> part = parts[p];
+
+  void add(std::span<const Vec3> part, double passing) {
     for (std::size_t i = 2; i < part.size(); ++i) {
       const Vec3 corner[3] = {part[0], part[i - 1], part[i]};
       const double area = glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
       for (int side = 0; side < 3; ++side) {
         const Vec3 y = 0.5 * (corner[side] + corner[(side + 1) % 3]);
-        const double w = area * point_kernel(x, n, y, frame.n);
+        const double w = passing * area * point_kernel(x, n, y, frame.n);
         weight += w;
         sum += w * frame.project(y);
       }
     }
   }
-  return weight > 0.0 ? sum / weight : Vec2(0.0);
-}
+  Vec2 mean() const { return weight > 0.0 ? sum / weight : Vec2(0.0); }
+};
 
 }  // namespace
 
@@ -54,6 +55,22 @@ bool LinkVisibility::cut_parts(const Vec3& x, const LinkSide& shooter) {
   return true;
 }
 
+/// Cuts parts_ by the panes that x sees them through, into dimmed_; returns the form factor of what
+/// passes.
+double LinkVisibility::dim_parts(const Vec3& x, const Vec3& n) {
+  dimmed_.clear();
+  double seen = 0.0;
+  std::vector<DimmedPart> parts;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    cut_by_panes(x, n, parts_[p], panes_, *occluders_, parts);
+    for (DimmedPart& part : parts) {
+      seen += part.factor * part.passage.share;
+      dimmed_.push_back(std::move(part));
+    }
+  }
+  return seen;
+}
+
 /// Returns the part of the shooter that a point with normal n sees; none where that is too many
 /// parts. Raises `most` to the factors of this point.
 std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, const Vec3& n,
@@ -63,7 +80,7 @@ std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, co
   if (whole <= 0.0) return PointCut{};
   if (!cut_parts(x, shooter)) return std::nullopt;
   PointCut cut;
-  cut.seen = std::min(whole, parts_.factor(n));
+  cut.seen = std::min(whole, panes_.empty() ? parts_.factor(n) : dim_parts(x, n));
   const double hidden = whole - cut.seen;
   cut.hidden = hidden <= least_hidden_share * whole ? 0.0 : hidden;
   most.seen = std::max(most.seen, cut.seen);
@@ -88,7 +105,13 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
     v.at[k] = cut->share();
     if (cut->hidden <= 0.0 || cut->seen <= 0.0) continue;
     v.partial[k] = true;
-    v.seen_from[k] = mean_place(parts_, x, frame.n, shooter.frame()) - shooter.shape.centroid;
+    MeanPlace place{x, frame.n, shooter.frame()};
+    for (std::size_t p = 0; p < parts_.size() && panes_.empty(); ++p) place.add(parts_[p], 1.0);
+    for (std::size_t p = 0; p < dimmed_.size() && !panes_.empty(); ++p) {
+      place.add(dimmed_[p].polygon, dimmed_[p].passage.share);
+      v.tint.add(dimmed_[p].factor, dimmed_[p].passage);
+    }
+    v.seen_from[k] = place.mean() - shooter.shape.centroid;
   }
   const std::optional<PointCut> center = cut_at(receiver.center, frame.n, shooter, most);
   if (!center) return std::nullopt;

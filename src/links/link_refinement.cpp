@@ -120,15 +120,15 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
   if (oracle_->estimated_error(link, transport, receiver_.patches(), shooter) <= tolerance) {
-    const auto anew = estimator_.kept_transport(receiver, shooter, tolerance, among, estimate);
-    kept.add(link, {anew.data(), kept.stride()});
+    const LinkEstimate anew = estimator_.kept(receiver, shooter, tolerance, among, estimate);
+    kept.add(link, {anew.transport.data(), kept.stride()}, anew.tint);
     return;
   }
   bool split_receiver = oracle_->splits_receiver(receiver, shooter, estimate);
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) split_receiver = !split_receiver;
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) {
     link.finest = true;
-    kept.add(link, transport);
+    kept.add(link, transport, estimate.tint);
     return;
   }
   const LinkEstimator::Between between = estimator_.between();

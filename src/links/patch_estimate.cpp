@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "geometry/form_factor.hpp"
-#include "links/error_terms.hpp"
 #include "links/link_estimate.hpp"
+#include "links/terms/error_terms.hpp"
 
 namespace enfilade {
 namespace {
@@ -235,6 +235,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double power = receiver.area_m2 * largest * shooter.light;
   const PairVisibility v = visibility_.of(receiver, shooter, group_factors_, power, tolerance);
   out.sampled = v.sampled;
+  out.tint = v.tint.mean();
   ReceiverSamples samples;
   samples.missed = match_total(receiver, shooter, factor, *work_);
   std::array<double, 4> e = factor.at;  // visible irradiance per radiosity

@@ -182,7 +182,8 @@ std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Clust
   for (const std::uint32_t k : candidates) rough.sample_row(k, more);
   rough.solve();
   for (const std::uint32_t k : candidates) {
-    unreachable[k] = rough.nearly_unlit(k, config.share) && !rough.sees_an_emitter(k) ? 1 : 0;
+    const bool unlit = rough.nearly_unlit(k, config.share) && !rough.sees_an_emitter(k);
+    unreachable[k] = unlit && !occluders.panes().contains(k) ? 1 : 0;  // rays pass through panes
   }
   return unreachable;
 }

@@ -25,6 +25,10 @@ struct Surface {
   /// (Lambertian) surface. The exitance is the flux per area all the same.
   std::shared_ptr<const IntensityDistribution> distribution{};
   Vec3 up{0.0};  ///< of the distribution, about; 0 for any
+  /// Per band, of light that meets the surface at right angles; empty: opaque (scene/pane_law.hpp).
+  Spectrum transmittance{};
+
+  bool is_pane() const { return !transmittance.empty(); }
 };
 
 /// A place where irradiance is computed: on a plane through p with normal n.
@@ -59,6 +63,7 @@ struct Scene {
 struct Piece {
   SurfaceId surface;
   Polygon polygon;
+  bool reversed = false;  ///< of a two-sided surface's second set
 };
 
 struct PieceReport {

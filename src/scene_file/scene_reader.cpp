@@ -1,6 +1,7 @@
 // Reads the JSON scene; the format is described in scenes/scene.schema.json.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -24,6 +25,9 @@ constexpr std::array<std::string_view, 21> known_keys{
     "distributions", "format", "version", "units",   "surfaces",    "lights",     "probes",
     "exitanceUnits", "up",     "rooms",   "doors",   "portals",     "luminaires", "offset_m",
     "tool",          "source", "licence", "license", "attribution", "copyright",  "author"};
+
+/// The least number that is no transmittance.
+const double above_one = std::nextafter(1.0, 2.0);
 
 class SceneReader {
  public:
@@ -109,6 +113,9 @@ class SceneReader {
         surface.exitance =
             keys_.spectrum(*it, where + ".exitance", std::numeric_limits<double>::infinity());
         note_bands(surface.exitance, where + ".exitance");
+      } else if (key == "transmittance") {
+        surface.transmittance = keys_.spectrum(*it, where + ".transmittance", above_one);
+        note_bands(surface.transmittance, where + ".transmittance");
       } else if (key == "object") {
         surface.object = keys_.text(*it, where + ".object");
       } else if (key == "two_sided") {
@@ -162,6 +169,9 @@ class SceneReader {
     for (Surface& surface : scene_.surfaces) {
       fill(surface.reflectance);
       fill(surface.exitance);
+      if (surface.is_pane()) fill(surface.transmittance);
+      if (std::ranges::all_of(surface.transmittance, [](double t) { return t <= 0.0; }))
+        surface.transmittance.clear();
     }
     for (LightSource& light : scene_.lights) fill(light.intensity);
   }

@@ -1,4 +1,4 @@
-#include "hierarchy/light_part.hpp"
+#include "light_parts/light_part.hpp"
 
 #include <algorithm>
 #include <bit>
