@@ -97,6 +97,7 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
   const std::array<Vec2, 4> points = receiver.shape.quadrature();
   PointCut most;
   std::array<double, 4> hidden{};
+  std::array<TintSum, 4> tints;
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3 x = frame.at(points[k]);
     const std::optional<PointCut> cut = cut_at(x, frame.n, shooter, most);
@@ -109,7 +110,7 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
     for (std::size_t p = 0; p < parts_.size() && panes_.empty(); ++p) place.add(parts_[p], 1.0);
     for (std::size_t p = 0; p < dimmed_.size() && !panes_.empty(); ++p) {
       place.add(dimmed_[p].polygon, dimmed_[p].passage.share);
-      v.tint.add(dimmed_[p].factor, dimmed_[p].passage);
+      tints[k].add(dimmed_[p].factor, dimmed_[p].passage);
     }
     v.seen_from[k] = place.mean() - shooter.shape.centroid;
   }
@@ -119,6 +120,8 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
   const std::optional<double> misfit = unpredicted_at_corners(receiver, shooter, hidden, most);
   if (!misfit) return std::nullopt;
   v.unfit = most.hidden > 0.0 ? *misfit : small_shadows(receiver, shooter);
+  for (const TintSum& tint : tints) v.tint.add(tint);
+  v.unfit += v.tint.mean_difference(tints);  // the points' tints count as one
   if (most.seen <= 0.0) v.uncertainty = all_hidden_uncertainty;
   return v;
 }

@@ -1,7 +1,10 @@
 // What passes the panes between two points.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace enfilade {
@@ -37,6 +40,20 @@ class TintSum {
     std::vector<double> tint = tinted_;
     for (double& t : tint) t = all_ > 0.0 ? t / all_ : 1.0;
     return tint;
+  }
+
+  /// Returns the mean of how much light each of these sums would gain or lose in this one's tint, in
+  /// the band where that is most.
+  double mean_difference(std::span<const TintSum> sums) const {
+    const std::vector<double> tint = mean();
+    double most = 0.0;
+    for (std::size_t b = 0; b < tint.size(); ++b) {
+      double off = 0.0;
+      for (const TintSum& s : sums)
+        off += std::abs((s.tinted_.empty() ? s.all_ : s.tinted_[b]) - tint[b] * s.all_);
+      most = std::max(most, off / static_cast<double>(sums.size()));
+    }
+    return most;
   }
 
  private:
