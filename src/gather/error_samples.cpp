@@ -125,10 +125,9 @@ void ErrorSamples::add_ray(std::uint32_t p, const Vec3& d, int half) {
   if (occluders_->panes().any()) {
     const double length_m = hit.any() ? hit.distance_m : far_away_m;
     for (const PaneMet& pane : occluders_->panes_along(point.x, d, length_m, own)) {
-      if (pane.front) {
-        hits_.push_back({occluders_->local(pane.polygon), p, half, point.x + pane.distance_m * d,
-                         number(pane.before)});
-      }
+      const Vec3 y = point.x + pane.distance_m * d;
+      if (pane.front)
+        hits_.push_back({occluders_->local(pane.polygon), p, half, y, number(pane.before)});
       passage = number(pane.behind);
     }
   }

@@ -54,8 +54,7 @@ class Gatherer {
   void refine_near_links(ClusterId cluster, const PatchForest& shooter);
   void begin_change(std::size_t links_before);
   void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
-  void receive(const LinkSet& links, std::size_t i, const PatchForest* shooter,
-               AggregateFlow* flow);
+  void receive(const LinkSet& links, std::size_t i, const PatchForest* from, AggregateFlow* flow);
   void close_rows();
   std::uint64_t linked_clusters() const;
 
@@ -110,9 +109,8 @@ void Gatherer::gather_far() {
   if (config_.coarse_row) far_flow_.emplace(receiver_.patches(), receiver_.aggregates());
   const LinkSet& now = changed_ ? refined_ : links;
   const std::size_t end = changed_ ? refined_.size() : next_;
-  for (std::size_t i = refined_first; i < end; ++i) {
+  for (std::size_t i = refined_first; i < end; ++i)
     if (now[i].evaluated) receive(now, i, nullptr, nullptr);
-  }
   std::vector<Link>& near = refinement_.near_links();
   std::stable_sort(near.begin(), near.end(), [](const Link& a, const Link& b) {
     return a.shooter_cluster < b.shooter_cluster;

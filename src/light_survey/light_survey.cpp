@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "geometry/sampling.hpp"
 #include "json/json_text.hpp"
@@ -76,8 +75,9 @@ class Survey {
       if (surface.two_sided) emitters_.push_back({power, i, true, nullptr});
     }
     for (const LightSource& light : scene_.lights) {
-      const double power = 4.0 * std::numbers::pi * strongest(light.intensity);
-      if (power > 0.0) emitters_.push_back({power, RayScene::no_polygon, false, &light});
+      const double power = power_per_intensity(light) * strongest(light.intensity);
+      if (power > 0.0 && !light.is_far())
+        emitters_.push_back({power, RayScene::no_polygon, false, &light});
     }
     // The brightest thousand tell enough, and cost no time.
     constexpr std::size_t most = 1024;
@@ -177,7 +177,7 @@ LightSources light_sources(const Scene& scene) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
-      sources.power[band] += 4.0 * std::numbers::pi * light.intensity[band];
+      sources.power[band] += power_per_intensity(light) * light.intensity[band];
   }
   return sources;
 }

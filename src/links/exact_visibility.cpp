@@ -55,22 +55,6 @@ bool LinkVisibility::cut_parts(const Vec3& x, const LinkSide& shooter) {
   return true;
 }
 
-/// Cuts parts_ by the panes that x sees them through, into dimmed_; returns the form factor of what
-/// passes.
-double LinkVisibility::dim_parts(const Vec3& x, const Vec3& n) {
-  dimmed_.clear();
-  double seen = 0.0;
-  std::vector<DimmedPart> parts;
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    cut_by_panes(x, n, parts_[p], panes_, *occluders_, parts);
-    for (DimmedPart& part : parts) {
-      seen += part.factor * part.passage.share;
-      dimmed_.push_back(std::move(part));
-    }
-  }
-  return seen;
-}
-
 /// Returns the part of the shooter that a point with normal n sees; none where that is too many
 /// parts. Raises `most` to the factors of this point.
 std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, const Vec3& n,
@@ -80,7 +64,9 @@ std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, co
   if (whole <= 0.0) return PointCut{};
   if (!cut_parts(x, shooter)) return std::nullopt;
   PointCut cut;
-  cut.seen = std::min(whole, panes_.empty() ? parts_.factor(n) : dim_parts(x, n));
+  cut.seen =
+      std::min(whole, panes_.empty() ? parts_.factor(n)
+                                     : cut_by_panes(x, n, parts_, panes_, *occluders_, dimmed_));
   const double hidden = whole - cut.seen;
   cut.hidden = hidden <= least_hidden_share * whole ? 0.0 : hidden;
   most.seen = std::max(most.seen, cut.seen);
@@ -104,6 +90,7 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
     if (!cut) return std::nullopt;
     hidden[k] = cut->hidden;
     v.at[k] = cut->share();
+    if (cut->hidden <= 0.0) tints[k].add(cut->seen, {});
     if (cut->hidden <= 0.0 || cut->seen <= 0.0) continue;
     v.partial[k] = true;
     MeanPlace place{x, frame.n, shooter.frame()};

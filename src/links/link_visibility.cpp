@@ -152,31 +152,23 @@ bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, b
                                 RayScene::no_polygon);
 }
 
-/// Where nothing but panes stands between, each of which the whole light shines through: what
-/// passes to the receiver's four points, exact of each of the light's points.
+/// Where nothing but whole panes stands between: what passes to the receiver's four points, exact
+/// of each of the light's points.
 bool LinkVisibility::through_whole_panes(const LinkSide& receiver, const LinkSide& light,
                                          PairVisibility& v) {
-  if (!occluders_->panes().any() || !light.is_light()) return false;
-  constexpr std::uint32_t none = RayScene::no_polygon;
   const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
-  occluders_->panes_between(receiver.corners, light.corners, own, none, panes_);
-  const auto whole = [&](std::uint32_t pane) {
-    return occluders_->shaft_shut(receiver.corners, light.corners, pane);
-  };
-  if (!std::ranges::all_of(panes_, whole) ||
-      !occluders_->find_between(receiver.corners, light.corners, own, none, panes_.size(),
-                                between_) ||
-      !between_.empty())
+  if (!light.is_light() ||
+      !only_whole_panes_between(receiver.corners, own, light.corners, *occluders_))
     return false;
+  const PolygonFrame& frame = receiver.frame();
   const auto points = receiver.shape.quadrature();
   v.tint = {};
   for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 x = frame.at(points[k]);
     double all = 0.0, passed = 0.0;
     for (const LightPoint& point : light.part->points()) {
-      const Vec3 x = receiver.frame().at(points[k]);
-      const double one =
-          point.share * kernel_from(*light.part->light, point.y, x, receiver.frame().n);
-      const Passage passage = occluders_->passage(x, point.y, own, none);
+      const double one = point.share * kernel_from(*light.part->light, point.y, x, frame.n);
+      const Passage passage = occluders_->passage(x, point.y, own, RayScene::no_polygon);
       v.tint.add(one, passage);
       all += one;
       passed += one * passage.share;

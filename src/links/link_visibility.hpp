@@ -99,7 +99,6 @@ class LinkVisibility {
                                                const std::array<double, 4>& hidden, PointCut& most);
   std::optional<PointCut> cut_at(const Vec3& x, const Vec3& n, const LinkSide& shooter,
                                  PointCut& most);
-  double dim_parts(const Vec3& x, const Vec3& n);
   bool cut_parts(const Vec3& x, const LinkSide& shooter);
   bool through_whole_panes(const LinkSide& receiver, const LinkSide& light, PairVisibility& v);
   double small_shadows(const LinkSide& receiver, const LinkSide& shooter);

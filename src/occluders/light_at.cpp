@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "occluders/sky_at.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -167,6 +169,7 @@ class Opening {
 
 LightAtPoint light_at(const LightSource& light, const LitPlace& place, const Occluders& occluders,
                       WorkCount* work) {
+  if (light.sky) return sky_at(light, place, occluders, work);
   return Opening(place, occluders, work).of(light);
 }
 

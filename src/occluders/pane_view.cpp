@@ -151,4 +151,31 @@ void cut_by_panes(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon,
   for (const Seen& part : seen) dimming.add(part.polygon, part.panes, 0);
 }
 
+double cut_by_panes(const Vec3& x, const Vec3& n, const VisibleParts& visible,
+                    std::span<const std::uint32_t> panes, const Occluders& occluders,
+                    std::vector<DimmedPart>& parts) {
+  parts.clear();
+  double seen = 0.0;
+  std::vector<DimmedPart> of_one;
+  for (std::size_t p = 0; p < visible.size(); ++p) {
+    cut_by_panes(x, n, visible[p], panes, occluders, of_one);
+    for (DimmedPart& part : of_one) {
+      seen += part.factor * part.passage.share;
+      parts.push_back(std::move(part));
+    }
+  }
+  return seen;
+}
+
+bool only_whole_panes_between(const Polygon& a, std::uint32_t own, const Polygon& b,
+                              const Occluders& occluders) {
+  if (!occluders.panes().any()) return false;
+  constexpr std::uint32_t none = RayScene::no_polygon;
+  std::vector<std::uint32_t> panes, between;
+  occluders.panes_between(a, b, own, none, panes);
+  return std::ranges::all_of(
+             panes, [&](std::uint32_t pane) { return occluders.shaft_shut(a, b, pane); }) &&
+         occluders.find_between(a, b, own, none, 2 * panes.size(), between) && between.empty();
+}
+
 }  // namespace enfilade

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/visible_parts.hpp"
 #include "occluders/occluders.hpp"
 
 namespace enfilade {
@@ -22,5 +23,15 @@ struct DimmedPart {
 void cut_by_panes(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon,
                   std::span<const std::uint32_t> panes, const Occluders& occluders,
                   std::vector<DimmedPart>& parts);
+
+/// The same for all of `visible`, as seen from x; returns the form factor of what passes.
+double cut_by_panes(const Vec3& x, const Vec3& n, const VisibleParts& visible,
+                    std::span<const std::uint32_t> panes, const Occluders& occluders,
+                    std::vector<DimmedPart>& parts);
+
+/// True where it is certain that nothing but panes stands between the convex hulls of a (on polygon
+/// `own`) and of b, and that each of them covers the whole view.
+bool only_whole_panes_between(const Polygon& a, std::uint32_t own, const Polygon& b,
+                              const Occluders& occluders);
 
 }  // namespace enfilade

@@ -43,6 +43,11 @@ void merge_equal_bands(Scene& scene) {
     if (s.is_pane()) s.transmittance = pick(s.transmittance, kept);
   }
   for (LightSource& light : scene.lights) light.intensity = pick(light.intensity, kept);
+  if (!scene.sky) return;
+  for (Spectrum* of_sky : {&scene.sky->zenith_luminance, &scene.sky->sun_illuminance,
+                           &scene.sky->ground_reflectance}) {
+    if (!of_sky->empty()) *of_sky = pick(*of_sky, kept);
+  }
 }
 
 std::size_t bands_of_file(const Scene& scene) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ struct Scene {
   ExitanceUnit unit = ExitanceUnit::watt_per_m2;
   std::vector<Surface> surfaces;
   std::vector<LightSource> lights;
+  std::optional<Sky> sky{};  ///< as the file has it; make_sky_lights() makes lights of it
   std::vector<Probe> probes;
   BuildingData building;   ///< rooms are read from scene files, the rest comes from importers
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace enfilade {
 namespace {
@@ -29,7 +28,7 @@ double lost_power(const IterationFigures& figures, double sent, bool panes, doub
 SurfacesPower surfaces_power(const Scene& scene, Spectrum emitted) {
   for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < emitted.size(); ++b) {
-      emitted[b] = std::max(0.0, emitted[b] - 4.0 * std::numbers::pi * light.intensity[b]);
+      emitted[b] = std::max(0.0, emitted[b] - power_per_intensity(light) * light.intensity[b]);
     }
   }
   const auto is_pane = [](const Surface& surface) { return surface.is_pane(); };

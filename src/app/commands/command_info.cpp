@@ -68,7 +68,7 @@ SceneFigures measure(const Scene& scene) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < bands; ++band) {
-      figures.emitted[band] += 4.0 * glm::pi<double>() * light.intensity[band];
+      figures.emitted[band] += power_per_intensity(light) * light.intensity[band];
     }
   }
   return figures;

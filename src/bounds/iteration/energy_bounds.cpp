@@ -1,7 +1,6 @@
 #include "bounds/iteration/energy_bounds.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace enfilade {
 
@@ -22,7 +21,7 @@ EnergyBounds::EnergyBounds(const BoundScene& scene, std::vector<double> areas_m2
     for (std::size_t k = 0; k < scene.polygons.size(); ++k)
       power_[band] += areas_m2_[k] * scene.polygons[k].exitance[band];
     for (const LightSource& light : scene.lights)
-      power_[band] += 4.0 * std::numbers::pi * light.intensity[band];
+      power_[band] += power_per_intensity(light) * light.intensity[band];
   }
 }
 
