@@ -13,7 +13,7 @@ Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < power.size(); ++b) {
-      power[b] += power_per_intensity(light) * light.intensity[b];
+      power[b] += sent_per_intensity(light) * light.intensity[b];
     }
   }
   return power;

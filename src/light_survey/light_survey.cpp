@@ -177,7 +177,7 @@ LightSources light_sources(const Scene& scene) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
-      sources.power[band] += power_per_intensity(light) * light.intensity[band];
+      sources.power[band] += sent_per_intensity(light) * light.intensity[band];
   }
   return sources;
 }
@@ -190,6 +190,37 @@ void survey_light(const Scene& scene, Warnings& warnings) {
     return;
   }
   Survey(scene, warnings).tell();
+}
+
+void survey_far_lights(Scene& scene) {
+  const auto is_far = [](const LightSource& light) { return light.is_far(); };
+  if (std::ranges::none_of(scene.lights, is_far)) return;
+  const SceneScale scale(scene);
+  std::vector<Polygon> polygons;
+  std::vector<char> panes, two_sided;
+  for (const Surface& surface : scene.surfaces) {
+    for (Polygon& part : convex_parts(surface.vertices, scale).parts) {
+      polygons.push_back(std::move(part));
+      panes.push_back(surface.is_pane() ? 1 : 0);
+      two_sided.push_back(surface.two_sided ? 1 : 0);
+    }
+  }
+  const RayScene blockers(polygons, panes);
+  constexpr int rays = 1 << 17;
+  for (LightSource& light : scene.lights) {
+    if (!light.is_far()) continue;
+    Random random(1);
+    int met = 0;
+    for (int i = 0; i < rays; ++i) {
+      const double r1 = (i + random.uniform()) / rays, r2 = random.uniform();
+      const double r3 = random.uniform(), r4 = random.uniform();
+      const LightRay ray = emitted_ray(light, r1, r2, r3, r4);
+      const RayHit hit =
+          blockers.closest(ray.from, ray.direction, RayScene::no_polygon, 1e30, RayStart::in_air);
+      met += hit.any() && (hit.front || two_sided[hit.polygon] != 0) ? 1 : 0;
+    }
+    light.arriving = std::max(1, met) / static_cast<double>(rays);
+  }
 }
 
 }  // namespace enfilade

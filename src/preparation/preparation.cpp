@@ -69,6 +69,7 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
   p.covered_area_m2 = report.covered_area_m2;
   make_lights(p.scene);
+  survey_far_lights(p.scene);
   survey_light(p.scene, warnings);
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);

@@ -56,6 +56,9 @@ struct LightSource {
   /// Of the sky, the sun and the ground (scene/sky.hpp): their distance, and the radius of the ball
   /// around the scene that they light; 0 of other lights.
   double far_m = 0.0, reach_m = 0.0;
+  /// Of what a far light sends through that ball, the share that meets fronts
+  /// (survey_far_lights()).
+  double arriving = 1.0;
   /// Of a dome of the sky: its luminance is `intensity` times this and sky->relative(direction).
   std::shared_ptr<const Sky> sky{};
   double luminance_per_intensity = 0.0;
@@ -66,8 +69,12 @@ struct LightSource {
 };
 
 /// Returns the power of a light per unit of its intensity (sr): 4 pi; of a far one what it sends
-/// through the ball around the scene, or into what stands there.
+/// through the ball around the scene.
 double power_per_intensity(const LightSource& light);
+/// The same, of a far light only what meets fronts.
+inline double sent_per_intensity(const LightSource& light) {
+  return light.arriving * power_per_intensity(light);
+}
 
 /// Returns the intensity towards w (of any length but 0), relative to the mean.
 double relative_intensity(const LightSource& light, const Vec3& w);

@@ -28,7 +28,7 @@ double lost_power(const IterationFigures& figures, double sent, bool panes, doub
 SurfacesPower surfaces_power(const Scene& scene, Spectrum emitted) {
   for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < emitted.size(); ++b) {
-      emitted[b] = std::max(0.0, emitted[b] - power_per_intensity(light) * light.intensity[b]);
+      emitted[b] = std::max(0.0, emitted[b] - sent_per_intensity(light) * light.intensity[b]);
     }
   }
   const auto is_pane = [](const Surface& surface) { return surface.is_pane(); };
