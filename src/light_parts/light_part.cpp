@@ -16,9 +16,18 @@ LightPart LightPart::whole(const LightSource& light) {
 }
 
 LightPart LightPart::of(const LightSource& light, std::uint32_t path) {
-  LightPart part = whole(light);
-  for (int bit = std::bit_width(path) - 2; bit >= 0; --bit)
-    part = part.half(static_cast<int>((path >> bit) & 1u));
+  int bit = std::bit_width(path) - 2;
+  LightPart part;
+  part.light = &light;
+  part.center = light.p;
+  part.last = static_cast<std::uint32_t>(light.opening.size());
+  // Only the list that is left in the end need be measured.
+  for (; bit >= 0 && part.last > part.first + 1; --bit) {
+    const std::uint32_t middle = part.first + (part.last - part.first) / 2;
+    (((path >> bit) & 1u) == 0 ? part.last : part.first) = middle;
+  }
+  part.measure();
+  for (; bit >= 0; --bit) part = part.half(static_cast<int>((path >> bit) & 1u));
   return part;
 }
 
@@ -136,12 +145,16 @@ LightKernel kernel_of(const LightPart& part, const Vec3& x, const Vec3& n) {
 
 double power_onto(const LightPart& part, std::span<const Vec3> polygon, const Vec3& n) {
   double sum = 0.0;
+  if (part.light->is_far()) {
+    // From so far away a solid angle would be lost in rounding.
+    const Polygon whole(polygon.begin(), polygon.end());
+    const Vec3 middle = centroid(whole);
+    for (const LightPoint& point : part.points())
+      sum += point.share * kernel_from(*part.light, point.y, middle, n);
+    return area_m2(whole) * sum;
+  }
   for (const LightPoint& point : part.points()) {
-    if (part.light->is_far()) {
-      // From so far away a solid angle would be lost in rounding.
-      const Polygon whole(polygon.begin(), polygon.end());
-      sum += point.share * area_m2(whole) * kernel_from(*part.light, point.y, centroid(whole), n);
-    } else if (glm::dot(n, point.y - polygon[0]) > 0.0)
+    if (glm::dot(n, point.y - polygon[0]) > 0.0)
       sum += point.share * relative_flux(*part.light, point.y, polygon);
   }
   return sum;

@@ -48,7 +48,9 @@ NodeLight LinkRefinement::light_of(const Link& link, const PatchForest* shooter)
 }
 
 bool LinkRefinement::can_split(const LinkSide& side) const {
-  if (side.is_light()) return !side.part->is_point() && side.id.path < (1u << finest_light_part);
+  if (side.is_light())
+    return !side.part->is_point() && !side.part->light->sky &&
+           side.id.path < (1u << finest_light_part);
   if (side.is_group() || side.is_far()) return true;
   return side.id.path < (1u << config_.max_depth) && side.area_m2 > config_.min_area_m2 &&
          side.shape.deviations().y > 0.0;

@@ -31,6 +31,11 @@ double uncertainty_of_16(int open) {
 
 double mean_of(const std::array<double, 4>& at) { return 0.25 * (at[0] + at[1] + at[2] + at[3]); }
 
+/// A shaft's ends are points or flat: not a light's corners that hold several polygons.
+bool one_flat_side(const LinkSide& light) {
+  return light.part->is_point() || light.part->is_one_polygon();
+}
+
 /// The shooter's quarter that the first ray from a receiver's quarter goes to: a permutation.
 int first_partner(int quarter) { return (quarter * 3 + 1) % 4; }
 
@@ -146,7 +151,7 @@ bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, b
   ++work_->shafts;
   if (!open) return occluders_->shaft_shut(receiver.corners, shooter.corners, blocker);
   // The exact method has tried the shaft between two patches already.
-  return shooter.is_light() &&
+  return shooter.is_light() && one_flat_side(shooter) &&
          occluders_->shaft_open(receiver.corners, shooter.corners,
                                 occluders_->global(receiver.cluster, receiver.id.root),
                                 RayScene::no_polygon);
@@ -157,7 +162,7 @@ bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, b
 bool LinkVisibility::through_whole_panes(const LinkSide& receiver, const LinkSide& light,
                                          PairVisibility& v) {
   const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
-  if (!light.is_light() ||
+  if (!light.is_light() || !one_flat_side(light) ||
       !only_whole_panes_between(receiver.corners, own, light.corners, *occluders_))
     return false;
   const PolygonFrame& frame = receiver.frame();

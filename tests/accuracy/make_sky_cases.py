@@ -119,6 +119,7 @@ class Case:
         if self.sun:
             sky["sun"] = self.sun
         answers = [{"p": list(p), "n": list(n), "E": [self.light(p, n)]} for p, n in probes]
+        answers = [probe for probe in answers if probe["E"][0] > 0.0]
         for probe in answers:
             probe["err"] = 3e-4 * probe["E"][0]
         return {"units": "m", "exitanceUnits": "lm/m2", "name": name, "description": description, "sky": sky,
