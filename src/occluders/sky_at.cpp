@@ -1,7 +1,9 @@
 #include "occluders/sky_at.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "geometry/clip.hpp"
@@ -81,16 +83,25 @@ class SkyView {
   }
 
   /// True where the rays to all corners end on one polygon, which is convex and hides all then.
-  bool hidden_by_one(const Polygon& facet) const {
+  bool hidden_by_one(const Polygon& facet) {
     std::uint32_t wall = none;
     for (const Vec3& corner : facet) {
-      if (work_ != nullptr) ++work_->rays;
-      const RayHit hit = occluders_.rays().closest(place_.x, corner - place_.x, place_.own,
-                                                   far_away_m, place_.start);
-      if (!hit.any() || (wall != none && hit.polygon != wall)) return false;
-      wall = hit.polygon;
+      const std::uint32_t met = met_at(corner);
+      if (met == none || (wall != none && met != wall)) return false;
+      wall = met;
     }
     return true;
+  }
+
+  /// Facets share their corners, so that one ray serves four.
+  std::uint32_t met_at(const Vec3& corner) {
+    const auto [at, is_new] = met_.try_emplace({corner.x, corner.y, corner.z}, none);
+    if (!is_new) return at->second;
+    if (work_ != nullptr) ++work_->rays;
+    const RayHit hit = occluders_.rays().closest(place_.x, corner - place_.x, place_.own,
+                                                 far_away_m, place_.start);
+    if (hit.any()) at->second = hit.polygon;
+    return at->second;
   }
 
   bool add_visible(const Polygon& facet, const std::vector<std::uint32_t>& between) {
@@ -153,6 +164,7 @@ class SkyView {
   WorkCount* work_;
   double sum_ = 0.0, error_ = 0.0;
   TintSum tint_;
+  std::map<std::array<double, 3>, std::uint32_t> met_;  ///< polygon that hides a corner, or none
   VisibleParts parts_;
   std::vector<std::uint32_t> panes_;
   std::vector<DimmedPart> dimmed_;
