@@ -42,8 +42,8 @@ class TintSum {
     return tint;
   }
 
-  /// Returns the mean of how much light each of these sums would gain or lose in this one's tint, in
-  /// the band where that is most.
+  /// Returns the mean of how much light each of these sums would gain or lose in this one's tint,
+  /// in the band where that is most.
   double mean_difference(std::span<const TintSum> sums) const {
     const std::vector<double> tint = mean();
     double most = 0.0;
