@@ -56,7 +56,7 @@ Sky sky_of(const SkyShape& shape, double elevation = 50.0) {
 
 /// By steps of solid angle over the whole sphere.
 double summed(const Sky& sky, const Vec3& n) {
-  constexpr int steps = 700;
+  constexpr int steps = 240;
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double z = (i + 0.5) / steps, r = std::sqrt(1.0 - z * z);
