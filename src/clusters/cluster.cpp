@@ -127,6 +127,7 @@ class CellClusters {
     for (const std::size_t i : group) {
       const Piece& piece = pieces_[i]->piece;
       cluster.polygons.push_back({piece.surface, piece.polygon});
+      cluster.polygons.back().reversed = piece.reversed;
       cluster.bounds.add(bounds(piece.polygon));
       cluster.area_m2 += area_m2(piece.polygon);
       if (object_of(i) != cluster.object) cluster.object.clear();
@@ -159,6 +160,25 @@ std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiec
     }
   }
   return clusters;
+}
+
+void make_panes_opaque(std::span<Cluster> clusters) {
+  for (Cluster& cluster : clusters) {
+    for (ClusterPolygon& polygon : cluster.polygons) {
+      polygon.pane = false;
+      polygon.transmittance.clear();
+    }
+  }
+}
+
+void set_panes(std::span<Cluster> clusters, const Scene& scene) {
+  for (Cluster& cluster : clusters) {
+    for (ClusterPolygon& polygon : cluster.polygons) {
+      const Surface& surface = scene.surfaces[polygon.surface.index()];
+      polygon.pane = surface.is_pane();
+      polygon.transmittance = polygon.reversed ? Spectrum{} : surface.transmittance;
+    }
+  }
 }
 
 }  // namespace enfilade

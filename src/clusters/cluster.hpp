@@ -18,6 +18,11 @@ struct ClusterPolygon {
   SurfaceId surface;
   Polygon polygon;
   std::vector<Segment> contacts{};  ///< where other polygons touch or cross it: shadow borders
+  /// Light passes it: it hides nothing. A two-sided pane is two polygons back to back, of which the
+  /// front alone has a transmittance (per band, at normal incidence); so light is dimmed once.
+  bool pane = false;
+  Spectrum transmittance{};
+  bool reversed = false;  ///< the back of a two-sided surface
 };
 
 /// Polygons of one cell: an object, a polygon, or neighbouring polygons.
@@ -53,6 +58,13 @@ std::vector<Cluster> build_clusters(const Scene& scene, std::span<const CellPiec
                                     const ClusterConfig& config,
                                     const Frame& own = {Vec3(0, 0, 1), Vec3(1, 0, 0),
                                                         Vec3(0, 1, 0)});
+
+/// Says which polygons are panes, by the scene's surfaces; called once the scene has the bands that
+/// are solved.
+void set_panes(std::span<Cluster> clusters, const Scene& scene);
+
+/// Makes the panes opaque, as they are to the heat radiation of a building's surfaces.
+void make_panes_opaque(std::span<Cluster> clusters);
 
 /// Returns the clusters as they are kept in a run's directory (versioned, in this machine's byte
 /// order).

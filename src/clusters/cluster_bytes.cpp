@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view mark = "enfilade-clusters-2";
+constexpr std::string_view mark = "enfilade-clusters-3";
 
 }  // namespace
 
@@ -23,6 +23,8 @@ std::string to_bytes(std::span<const Cluster> clusters) {
     for (const ClusterPolygon& polygon : cluster.polygons) {
       out.put(polygon.surface.value);
       out.put_all<std::uint32_t>(polygon.polygon);
+      out.put(static_cast<std::uint8_t>((polygon.pane ? 1 : 0) + (polygon.reversed ? 2 : 0)));
+      if (polygon.pane) out.put_all<std::uint32_t>(polygon.transmittance);
       out.put(static_cast<std::uint32_t>(polygon.contacts.size()));
       for (const Segment& contact : polygon.contacts) {
         out.put(contact.a);
@@ -49,6 +51,10 @@ std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
     for (ClusterPolygon& polygon : cluster.polygons) {
       polygon.surface = SurfaceId(in.get<std::uint32_t>());
       polygon.polygon = in.get_all<Vec3, std::uint32_t>();
+      const auto kind = in.get<std::uint8_t>();
+      polygon.pane = (kind & 1u) != 0;
+      polygon.reversed = (kind & 2u) != 0;
+      if (polygon.pane) polygon.transmittance = in.get_all<double, std::uint32_t>();
       polygon.contacts.resize(in.get_count<std::uint32_t>(2 * sizeof(Vec3)));
       for (Segment& contact : polygon.contacts) {
         contact.a = in.get<Vec3>();

@@ -10,11 +10,15 @@ namespace {
 
 constexpr int steps_from_dark = 8;
 
-RayScene rays_of(std::span<const CellPiece> pieces) {
+RayScene rays_of(const Scene& scene, std::span<const CellPiece> pieces) {
   std::vector<Polygon> polygons;
+  std::vector<char> panes;
   polygons.reserve(pieces.size());
-  for (const CellPiece& piece : pieces) polygons.push_back(piece.piece.polygon);
-  return RayScene(polygons);
+  for (const CellPiece& piece : pieces) {
+    polygons.push_back(piece.piece.polygon);
+    panes.push_back(scene.surfaces[piece.piece.surface.index()].is_pane() ? 1 : 0);
+  }
+  return RayScene(polygons, panes);
 }
 
 }  // namespace
@@ -25,7 +29,7 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
       pieces_(pieces),
       offset_m_(offset_m),
       max_bounces_(max_bounces),
-      rays_(rays_of(pieces)) {
+      rays_(rays_of(scene, pieces)) {
   faces_.reserve(pieces.size());
   for (const CellPiece& piece : pieces) {
     const Surface& surface = scene.surfaces[piece.piece.surface.index()];

@@ -233,7 +233,9 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
     if (std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.unreachable; }))
       walk.mark_dark(i);
     for (Part& part : parts) {
-      cut.push_back({pieces[i].cell, {piece.surface, std::move(part.polygon)}, part.unreachable});
+      cut.push_back({pieces[i].cell,
+                     {piece.surface, std::move(part.polygon), piece.reversed},
+                     part.unreachable});
     }
   }
   return cut;

@@ -84,11 +84,10 @@ std::vector<double> EmitterPicker::weights(const Vec3& p) const {
     sum += b.largest_radiosity * shape.area_m2 / (glm::dot(d, d) + shape.area_m2);
     sums.push_back(sum);
   }
-  const double tolerance_m = occluders_->rays().epsilon_m();
-  for (const LightSource& light : lights_) {
-    const Vec3 d = light.p - p;
-    sum += std::numbers::pi * largest(light.intensity) /
-           std::max(glm::dot(d, d), tolerance_m * tolerance_m);
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Vec3 d = lights_[i].p - p;
+    const double near_m = occluders_->rays().epsilon_m() + radius_m_[i];
+    sum += std::numbers::pi * largest(lights_[i].intensity) / (glm::dot(d, d) + near_m * near_m);
     sums.push_back(sum);
   }
   return sums;
@@ -119,18 +118,21 @@ double EmitterPicker::unoccluded(std::uint32_t lamp, const LitPlace& place) cons
          (r2 * std::sqrt(r2));
 }
 
-/// Form factor of the place to the emitter where one random point of it is seen, else 0.
-double EmitterPicker::factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
-                                Random& random) const {
+/// Form factor of the place to the emitter, times the share that passes from one random point of
+/// it.
+Passage EmitterPicker::factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
+                                 Random& random) const {
   const double r1 = random.uniform(), r2 = random.uniform();
   const int quarter = static_cast<int>(random.below(4));
   const PolygonFrame& frame = emitter.frame();
-  if (emitter.polygon == place.own || glm::dot(frame.n, place.x - frame.origin) <= 0.0) return 0.0;
+  if (emitter.polygon == place.own || glm::dot(frame.n, place.x - frame.origin) <= 0.0)
+    return {0.0, {}};
   const double factor = point_to_polygon(place.x, place.n, emitter.corners);
-  if (factor <= 0.0) return 0.0;
+  if (factor <= 0.0) return {0.0, {}};
   const Vec3 y = frame.at(emitter.shape().point_in_quarter(quarter, r1, r2));
-  return occluders_->rays().occluded(place.x, y, place.own, emitter.polygon, place.start) ? 0.0
-                                                                                          : factor;
+  Passage passage = occluders_->passage(place.x, y, place.own, emitter.polygon, place.start);
+  passage.share *= factor;
+  return passage;
 }
 
 void EmitterPicker::add_picked(const LitPlace& place, std::span<const double> weights,
@@ -162,17 +164,17 @@ void EmitterPicker::add_picked(const LitPlace& place, std::span<const double> we
     chance += guided * unoccluded(lamp, place) / sum;
   if (lamp < emitters_.size()) {
     const EmitterSampler::Emitter& b = emitters_[lamp];
-    const double factor = factor_of(b, place, random);
-    for (std::size_t band = 0; band < irradiance.size() && factor > 0.0; ++band)
-      irradiance[band] += share[band] * factor / chance * b.radiosity(band);
+    const Passage factor = factor_of(b, place, random);
+    for (std::size_t band = 0; band < irradiance.size() && factor.share > 0.0; ++band)
+      irradiance[band] += share[band] * factor.band(band) / chance * b.radiosity(band);
     return;
   }
   const LightSource& light = lights_[lamp - emitters_.size()];
   const double r1 = light.opening.empty() ? 0.0 : random.uniform();
   const double r2 = light.opening.empty() ? 0.0 : random.uniform();
-  const double kernel = light_by_one_ray(light, place, *occluders_, r1, r2);
+  const LightAtPoint found = light_by_one_ray(light, place, *occluders_, r1, r2);
   for (std::size_t band = 0; band < irradiance.size(); ++band)
-    irradiance[band] += share[band] * light.intensity[band] * kernel / chance;
+    irradiance[band] += share[band] * light.intensity[band] * found.band(band) / chance;
 }
 
 }  // namespace enfilade

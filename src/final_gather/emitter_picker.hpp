@@ -38,8 +38,8 @@ class EmitterPicker {
   std::span<const std::uint32_t> lit(std::uint32_t polygon) const;
   void shoot(std::uint32_t lamp, int rays, Random& random, std::vector<Arrival>& arrivals) const;
   double unoccluded(std::uint32_t lamp, const LitPlace& place) const;
-  double factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
-                   Random& random) const;
+  Passage factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
+                    Random& random) const;
 
   std::span<const EmitterSampler::Emitter> emitters_;
   std::span<const LightSource> lights_;

@@ -262,7 +262,8 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(
         clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
     for (const VisibleNode& node : polygon.nodes) {
       for (std::size_t band = 0; band < irradiance.size(); ++band) {
-        irradiance[band] += node.irradiance(forest, band) - node.factor * control.ambient[band];
+        irradiance[band] +=
+            node.irradiance(forest, band) - node.factor_in(band) * control.ambient[band];
       }
     }
   }
@@ -273,10 +274,11 @@ void EmitterSampler::add_emitted(const ControlVariate& control, Spectrum& irradi
   for (const ControlledPolygon& polygon : control.polygons) {
     const PolygonRef ref = occluders_->local(polygon.polygon);
     const PolygonFrame& frame = clusters_[ref.cluster.index()].patches().frames()[ref.polygon];
-    double factor = 0.0;
-    for (const VisibleNode& node : polygon.nodes) factor += node.factor;
-    for (std::size_t band = 0; band < irradiance.size(); ++band)
+    for (std::size_t band = 0; band < irradiance.size(); ++band) {
+      double factor = 0.0;
+      for (const VisibleNode& node : polygon.nodes) factor += node.factor_in(band);
       irradiance[band] += factor * frame.exitance[band];
+    }
   }
 }
 

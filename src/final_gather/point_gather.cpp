@@ -9,6 +9,7 @@
 #include "final_gather/emitter_picker.hpp"
 #include "final_gather/emitter_sampler.hpp"
 #include "final_gather/mean_light.hpp"
+#include "final_gather/pane_light.hpp"
 #include "final_gather/point_place.hpp"
 #include "geometry/sampling.hpp"
 #include "occluders/light_at.hpp"
@@ -77,7 +78,7 @@ void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum&
   for (const LightSource& light : lights) {
     const LightAtPoint found = light_at(light, place, *occluders);
     for (std::size_t band = 0; band < bands; ++band) {
-      e[band] += light.intensity[band] * found.irradiance;
+      e[band] += light.intensity[band] * found.band(band);
       const double error = light.intensity[band] * found.error;
       variance[band] += error * error;
     }
@@ -108,16 +109,23 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     if (bounces == 0) first = hit;
     const bool ends = !hit.any() || !hit.front;
     const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
+    // Behind panes the control variate is the ambient light and, of each controlled polygon, what
+    // it sends more than that, dimmed.
+    const bool dimmed = occluders->panes().any() &&
+                        add_pane_light({from, direction, hit, own}, clusters, *occluders, emitters,
+                                       bounces == 0 ? &control : nullptr, carried, e);
     const Vec3 at = from + hit.distance_m * direction;
     const VisibleNode* node = nullptr;
     if (controlled != nullptr) {
       const PolygonRef ref = occluders->local(hit.polygon);
       const PatchForest& patches = clusters[ref.cluster.index()].patches();
       node = node_around(controlled->nodes, patches, ref.polygon, at);
-      for (std::size_t b = 0; b < bands && node != nullptr; ++b)
-        e[b] -= share * node->radiosity(patches, b, at);
+      for (std::size_t b = 0; b < bands && node != nullptr; ++b) {
+        const double rest = dimmed ? control.ambient[b] : 0.0;
+        e[b] -= carried[b] * (node->radiosity(patches, b, at) - rest);
+      }
     }
-    for (std::size_t b = 0; b < bands && bounces == 0 && node == nullptr; ++b)
+    for (std::size_t b = 0; b < bands && bounces == 0 && (node == nullptr || dimmed); ++b)
       e[b] -= share * control.ambient[b];
     if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
     if (bounces > 0 && emitters.hot(hit.polygon, at)) return first;

@@ -66,6 +66,7 @@ bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, Cluster
   corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
   const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, {}};
   std::vector<std::uint32_t> between;
+  occluders_->panes_between({p}, corners_, own, whole.polygon, panes_);
   if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_occluders, between) ||
       !find_below(whole, polygon, between, found)) {
     found.clear();
@@ -83,6 +84,7 @@ bool VisibleNodes::find_some(const Vec3& p, const Vec3& n, std::uint32_t own, Cl
   corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
   const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, ambient};
   std::vector<std::uint32_t> between;
+  occluders_->panes_between({p}, corners_, own, whole.polygon, panes_);
   if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_for_nodes, between))
     return false;
   find_below(whole, polygon, between, found);
@@ -118,7 +120,9 @@ bool VisibleNodes::find_below(const Whole& whole, std::size_t node,
   }
   if (too_many || !hide_all(whole.p, between)) return whole.ambient.has_value();
   VisibleNode visible{static_cast<std::uint32_t>(node)};
-  add_visible_parts(whole.p, whole.n, forest, whole.least, visible);
+  TintSum tint;
+  add_visible_parts(whole.p, whole.n, forest, whole.least, visible, tint);
+  visible.tint = tint.mean();
   found.push_back(visible);
   return true;
 }
@@ -133,12 +137,26 @@ bool VisibleNodes::hide_all(const Vec3& p, std::span<const std::uint32_t> occlud
 }
 
 void VisibleNodes::add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest,
-                                     double least, VisibleNode& sum) {
+                                     double least, VisibleNode& sum, TintSum& tint) {
   const PolygonFrame& frame = forest.frames()[forest.node(sum.node).id.root];
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
+  const auto add = [&](std::span<const Vec3> part, const Passage* passage) {
     PatchOutline outline;
-    for (const Vec3& corner : parts_[i]) outline.push_back(frame.project(corner));
-    add_part(p, n, forest, PatchShape::from(outline), cut_tolerance * least, most_cuts, sum);
+    for (const Vec3& corner : part) outline.push_back(frame.project(corner));
+    VisibleNode seen{sum.node};
+    add_part(p, n, forest, PatchShape::from(outline), cut_tolerance * least, most_cuts,
+             passage == nullptr ? sum : seen);
+    if (passage == nullptr) return;
+    tint.add(seen.factor, *passage);
+    sum.factor += passage->share * seen.factor;
+    sum.moment += passage->share * seen.moment;
+  };
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (panes_.empty()) {
+      add(parts_[i], nullptr);
+      continue;
+    }
+    cut_by_panes(p, n, parts_[i], panes_, *occluders_, dimmed_);
+    for (const DimmedPart& part : dimmed_) add(part.polygon, &part.passage);
   }
 }
 
@@ -149,25 +167,31 @@ struct VisibleNodes::ByParts {
   double least, least_factor;
   Random& random;
   VisibleNode& sum;
+  TintSum tint{};
   double variance = 0.0;
 
   const PolygonFrame& frame() const { return forest.frames()[forest.node(sum.node).id.root]; }
   /// Adds the share of a part's factor that random rays find open. The variance is that of a share
   /// by Jeffreys' estimate: it is not zero where all rays end alike.
-  void sample(const PatchShape& shape, double factor, const RayScene& rays);
+  void sample(const PatchShape& shape, double factor, const Occluders& occluders);
 };
 
-void VisibleNodes::ByParts::sample(const PatchShape& shape, double factor, const RayScene& rays) {
+void VisibleNodes::ByParts::sample(const PatchShape& shape, double factor,
+                                   const Occluders& occluders) {
   int open = 0;
+  double passing = 0.0;
   for (int k = 0; k < rays_of_part; ++k) {
     const double r1 = (k + random.uniform()) / rays_of_part, r2 = random.uniform();
     const Vec2 at =
         uniform_point({shape.vertices.data(), shape.vertices.size()}, shape.area_m2, r1, r2);
-    open += rays.occluded(p, frame().at(at), own, polygon, RayStart::in_air) ? 0 : 1;
+    const Passage passage = occluders.passage(p, frame().at(at), own, polygon, RayStart::in_air);
+    tint.add(factor / rays_of_part, passage);
+    open += passage.share > 0.0 ? 1 : 0;
+    passing += passage.share;
   }
   const double share = (open + 0.5) / (rays_of_part + 1.0);
   variance += factor * factor * share * (1.0 - share) / rays_of_part;
-  sum.add(factor * open / rays_of_part, shape.centroid - forest.node(sum.node).shape.centroid);
+  sum.add(factor * passing / rays_of_part, shape.centroid - forest.node(sum.node).shape.centroid);
 }
 
 /// `among`: polygons of which those before the part are some; empty where they are not known.
@@ -184,9 +208,9 @@ void VisibleNodes::find_in_part(const PatchShape& shape, std::span<const std::ui
     occluders_->find_among(among, {by.p}, corners_, by.own, by.polygon, between);
   }
   if (known && between.size() <= most_occluders && hide_all(by.p, between))
-    return add_visible_parts(by.p, by.n, by.forest, by.least, by.sum);
+    return add_visible_parts(by.p, by.n, by.forest, by.least, by.sum, by.tint);
   if (factor <= by.least_factor || depth >= most_part_cuts)
-    return by.sample(shape, factor, occluders_->rays());
+    return by.sample(shape, factor, *occluders_);
   if (!known) between.clear();
   const auto [low, high] = shape.halves(shape.cut({}));
   find_in_part(low, between, depth + 1, by);
@@ -200,7 +224,10 @@ double VisibleNodes::find_by_parts(const Vec3& p, const Vec3& n, std::uint32_t o
   found = VisibleNode{polygon};
   ByParts by{p,      n,    own, occluders_->global(shooter, polygon), forest, least, least_factor,
              random, found};
+  corners_ = corners_of(by.frame(), forest.node(polygon).shape);
+  occluders_->panes_between({p}, corners_, own, by.polygon, panes_);
   find_in_part(forest.node(polygon).shape, {}, 0, by);
+  found.tint = by.tint.mean();
   return by.variance;
 }
 

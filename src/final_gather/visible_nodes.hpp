@@ -8,6 +8,7 @@
 #include "geometry/visible_parts.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "occluders/occluders.hpp"
+#include "occluders/pane_view.hpp"
 
 namespace enfilade {
 
@@ -16,8 +17,9 @@ namespace enfilade {
 /// and cover its visible part.
 struct VisibleNode {
   std::uint32_t node;
-  double factor = 0.0;
+  double factor = 0.0;  ///< of what passes panes
   Vec2 moment{0.0};
+  std::vector<double> tint{};  ///< of what passes, per band (Passage::tint)
 
   void add(double part, const Vec2& shift) {
     factor += part;
@@ -25,8 +27,9 @@ struct VisibleNode {
   }
   /// Returns the irradiance by the node's own affine function of radiosity.
   double irradiance(const PatchForest& forest, std::size_t band) const {
-    return factor > 0.0 ? factor * forest.radiosity_at(node, band, moment / factor) : 0.0;
+    return factor > 0.0 ? factor_in(band) * forest.radiosity_at(node, band, moment / factor) : 0.0;
   }
+  double factor_in(std::size_t band) const { return tint.empty() ? factor : factor * tint[band]; }
   /// Returns the node's own affine function of radiosity at point y of the polygon's plane.
   double radiosity(const PatchForest& forest, std::size_t band, const Vec3& y) const {
     const PatchNode& at = forest.node(node);
@@ -71,7 +74,7 @@ class VisibleNodes {
                   std::vector<VisibleNode>& found);
   bool hide_all(const Vec3& p, std::span<const std::uint32_t> occluders);
   void add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest, double least,
-                         VisibleNode& sum);
+                         VisibleNode& sum, TintSum& tint);
   void find_in_part(const PatchShape& shape, std::span<const std::uint32_t> among, int depth,
                     ByParts& by);
   void add_part(const Vec3& p, const Vec3& n, const PatchForest& forest, const PatchShape& shape,
@@ -80,6 +83,8 @@ class VisibleNodes {
   const Occluders* occluders_;
   VisibleParts parts_;
   Polygon corners_;
+  std::vector<std::uint32_t> panes_;  ///< before the polygon
+  std::vector<DimmedPart> dimmed_;
 };
 
 /// Returns the one of `nodes` (ascending) that point y of the polygon lies in; null for none.

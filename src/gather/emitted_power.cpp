@@ -1,7 +1,5 @@
 #include "gather/emitted_power.hpp"
 
-#include <numbers>
-
 namespace enfilade {
 
 Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters) {
@@ -15,7 +13,7 @@ Spectrum emitted_power(const Scene& scene, std::span<const Cluster> clusters) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t b = 0; b < power.size(); ++b) {
-      power[b] += 4.0 * std::numbers::pi * light.intensity[b];
+      power[b] += sent_per_intensity(light) * light.intensity[b];
     }
   }
   return power;

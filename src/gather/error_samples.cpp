@@ -98,22 +98,41 @@ void ErrorSamples::cast_rays() {
   config_.rays = 2 * side * side;
   for (std::uint32_t p = 0; p < points_.size(); ++p) {
     const Point& point = points_[p];
-    const std::uint32_t own = occluders_->global(receiver_, point.polygon);
     for (int half = 0; half < 2; ++half) {
       for (int stratum = 0; stratum < side * side; ++stratum) {
         const double r2 = (stratum / side + random_.uniform()) / side;
         const double turn = (stratum % side + random_.uniform()) / side;
-        const Vec3 d = cosine_direction(point.n, r2, turn);
-        ++work_->rays;
-        const RayHit hit = occluders_->rays().closest(point.x, d, own);
-        if (!hit.any() || !hit.front) continue;
-        hits_.push_back({occluders_->local(hit.polygon), p, half, point.x + hit.distance_m * d});
+        add_ray(p, cosine_direction(point.n, r2, turn), half);
       }
     }
   }
   std::stable_sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) {
     return a.polygon.cluster < b.polygon.cluster;
   });
+}
+
+/// Notes where the ray ends on a front side, and the fronts of the panes that it passes.
+void ErrorSamples::add_ray(std::uint32_t p, const Vec3& d, int half) {
+  const Point& point = points_[p];
+  const std::uint32_t own = occluders_->global(receiver_, point.polygon);
+  ++work_->rays;
+  const RayHit hit = occluders_->rays().closest(point.x, d, own);
+  std::uint32_t passage = 0;
+  const auto number = [this](const Passage& passed) {
+    passages_.push_back(passed);
+    return static_cast<std::uint32_t>(passages_.size() - 1);
+  };
+  if (occluders_->panes().any()) {
+    const double length_m = hit.any() ? hit.distance_m : far_away_m;
+    for (const PaneMet& pane : occluders_->panes_along(point.x, d, length_m, own)) {
+      const Vec3 y = point.x + pane.distance_m * d;
+      if (pane.front)
+        hits_.push_back({occluders_->local(pane.polygon), p, half, y, number(pane.before)});
+      passage = number(pane.behind);
+    }
+  }
+  if (!hit.any() || !hit.front) return;
+  hits_.push_back({occluders_->local(hit.polygon), p, half, point.x + hit.distance_m * d, passage});
 }
 
 /// A bright emitter: one ray that meets it would bring too large a share of the point's light.
@@ -132,9 +151,9 @@ double ErrorSamples::bright_radiosity(const Point& point) const {
 void ErrorSamples::add(const LightSource& light) {
   for (Point& point : points_) {
     const std::uint32_t own = occluders_->global(receiver_, point.polygon);
-    const double kernel = light_at(light, {point.x, point.n, own}, *occluders_, work_).irradiance;
+    const LightAtPoint found = light_at(light, {point.x, point.n, own}, *occluders_, work_);
     for (Spectrum& half : point.light) {
-      for (std::size_t b = 0; b < bands_; ++b) half[b] += light.intensity[b] * kernel;
+      for (std::size_t b = 0; b < bands_; ++b) half[b] += light.intensity[b] * found.band(b);
     }
   }
 }
@@ -155,12 +174,14 @@ void ErrorSamples::add(const ClusterState& shooter) {
     if (node == nullptr && bright) continue;
     forest.evaluate(true, k, hit->y, radiosity);
     const auto half = static_cast<std::size_t>(hit->half);
-    if (node != nullptr) point.controlled_rays[half] += share;
+    const Passage& passage = passages_[hit->passage];
+    if (node != nullptr) point.controlled_rays[half] += share * passage.share;
     for (std::size_t b = 0; b < bands_; ++b) {
       const double had = node != nullptr ? node->radiosity(forest, b, hit->y) : 0.0;
-      point.light[half][b] += share * (radiosity[b] - had);
-      if (node == nullptr) point.uncontrolled_light[b] += share * radiosity[b];
-      if (!bright) point.ray_light[b] += share * radiosity[b];
+      const double passed = share * passage.band(b);
+      point.light[half][b] += passed * (radiosity[b] - had);
+      if (node == nullptr) point.uncontrolled_light[b] += passed * radiosity[b];
+      if (!bright) point.ray_light[b] += passed * radiosity[b];
     }
   }
 }
@@ -236,9 +257,10 @@ void ErrorSamples::add_emitter(const ClusterState& shooter, std::uint32_t polygo
       all += kernel;
       if (kernel <= 0.0) continue;
       ++work_->rays;
-      if (occluders_->rays().occluded(point.x, y, own, skip)) continue;
+      const Passage passage = occluders_->passage(point.x, y, own, skip);
+      if (passage.share <= 0.0) continue;
       forest.evaluate(true, polygon, y, radiosity);
-      for (std::size_t b = 0; b < bands_; ++b) open[b] += kernel * radiosity[b];
+      for (std::size_t b = 0; b < bands_; ++b) open[b] += kernel * passage.band(b) * radiosity[b];
     }
     if (all <= 0.0) continue;
     for (std::size_t b = 0; b < bands_; ++b) half[b] += factor / all * open[b];

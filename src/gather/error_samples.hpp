@@ -80,9 +80,11 @@ class ErrorSamples {
     std::uint32_t point;
     int half;
     Vec3 y;
+    std::uint32_t passage = 0;  ///< number in passages_
   };
   void place(const ClusterState& receiver);
   void cast_rays();
+  void add_ray(std::uint32_t point, const Vec3& d, int half);
   /// Returns the irradiance that a contribution is compared with.
   double reference_irradiance(const Point& point) const {
     return std::max(point.irradiance, least_irradiance * config_.mean_irradiance);
@@ -104,7 +106,9 @@ class ErrorSamples {
   std::size_t bands_;
   Random random_;
   std::vector<Point> points_;
-  std::vector<Hit> hits_;  ///< ends of all rays on front sides, by cluster
+  std::vector<Hit>
+      hits_;  ///< ends of all rays on front sides, and panes' on their ways; by cluster
+  std::vector<Passage> passages_{Passage{}};  ///< the first: nothing stands between
   VisibleNodes visible_nodes_;
 };
 

@@ -54,8 +54,7 @@ class Gatherer {
   void refine_near_links(ClusterId cluster, const PatchForest& shooter);
   void begin_change(std::size_t links_before);
   void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
-  void receive(const Link& link, std::span<const float> transport, const PatchForest* shooter,
-               AggregateFlow* flow);
+  void receive(const LinkSet& links, std::size_t i, const PatchForest* from, AggregateFlow* flow);
   void close_rows();
   std::uint64_t linked_clusters() const;
 
@@ -110,9 +109,8 @@ void Gatherer::gather_far() {
   if (config_.coarse_row) far_flow_.emplace(receiver_.patches(), receiver_.aggregates());
   const LinkSet& now = changed_ ? refined_ : links;
   const std::size_t end = changed_ ? refined_.size() : next_;
-  for (std::size_t i = refined_first; i < end; ++i) {
-    if (now[i].evaluated) receive(now[i], now.transport(i), nullptr, nullptr);
-  }
+  for (std::size_t i = refined_first; i < end; ++i)
+    if (now[i].evaluated) receive(now, i, nullptr, nullptr);
   std::vector<Link>& near = refinement_.near_links();
   std::stable_sort(near.begin(), near.end(), [](const Link& a, const Link& b) {
     return a.shooter_cluster < b.shooter_cluster;
@@ -161,7 +159,7 @@ void Gatherer::refine_links(std::size_t begin, std::size_t end, const PatchFores
   const LinkSet& links = receiver_.links();
   for (std::size_t i = begin; i < end; ++i) {
     if (refinement_.accurate_enough(links[i], links.transport(i), shooter)) {
-      if (changed_) refined_.add(links[i], links.transport(i));
+      if (changed_) refined_.add_from(links, i);
       continue;
     }
     begin_change(i);
@@ -187,15 +185,17 @@ void Gatherer::take_links(ClusterId cluster, const ClusterState* state, bool sta
   bool any = false;
   for (std::size_t i = refined_first; i < end; ++i) {
     if (!now[i].evaluated) continue;
-    receive(now[i], now.transport(i), shooter, flow ? &*flow : nullptr);
+    receive(now, i, shooter, flow ? &*flow : nullptr);
     any = true;
   }
   if (any && flow) result_.coarse.entries.push_back({cluster, stale, flow->take()});
 }
 
-void Gatherer::receive(const Link& link, std::span<const float> transport,
-                       const PatchForest* shooter, AggregateFlow* flow) {
-  const double variation = light_.read(link, shooter);
+void Gatherer::receive(const LinkSet& links, std::size_t i, const PatchForest* shooter,
+                       AggregateFlow* flow) {
+  const Link& link = links[i];
+  const std::span<const float> transport = links.transport(i);
+  const double variation = light_.read(link, links.tint(i), shooter);
   const std::span<const double> means = light_.means();
   double top = 0.0;
   for (const double mean : means) top = std::max(top, std::abs(mean));
@@ -217,7 +217,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
     for (std::size_t b = 0; b < bands_; ++b) result_.figures.direct_power[b] += factor * means[b];
   } else {
     for (std::size_t b = 0; b < bands_; ++b) {
-      flow_[b] = factor * (means[b] - shooter->exitance(link.shooter, b));
+      flow_[b] = factor * (means[b] - light_.tinted(shooter->exitance(link.shooter, b), b));
       result_.figures.returning_power[b] += flow_[b];
     }
     if (flow != nullptr) flow->add(link, transport, flow_);

@@ -16,8 +16,14 @@ GatheredLight::GatheredLight(const PatchForest& receiver, std::span<const LightS
       light_(bands_ * terms_),
       means_(bands_) {}
 
-double GatheredLight::read(const Link& link, const PatchForest* shooter) {
+double GatheredLight::read(const Link& link, std::span<const float> tint,
+                           const PatchForest* shooter) {
   const double variation = read_light(link, shooter);
+  tint_ = tint;
+  for (std::size_t i = 0; i < light_.size() && !tint.empty(); ++i)
+    light_[i] = tinted(light_[i], i / terms_);
+  for (std::size_t b = 0; b < emitted_.size() && !tint.empty(); ++b)
+    emitted_[b] = tinted(emitted_[b], b);
   for (std::size_t b = 0; b < bands_; ++b) {
     means_[b] = light_[b * terms_] + (emitted_.empty() ? 0.0 : emitted_[b]);
   }

@@ -18,13 +18,17 @@ class GatheredLight {
   GatheredLight(const PatchForest& receiver, std::span<const LightSource> lights,
                 const BuildingLight* far);
 
-  /// Reads the light that the link's shooter sends: a node of `shooter`, or a point light or a far
-  /// node where that is null. Returns its RMS variation over the shooter (worst band), as
-  /// NodeLight::variation has it.
-  double read(const Link& link, const PatchForest* shooter);
+  /// Reads the light that the link's shooter sends, in the tint (LinkSet::tint) in which it
+  /// arrives: a node of `shooter`, or a point light or a far node where that is null. Returns its
+  /// RMS variation over the shooter (worst band), as NodeLight::variation has it.
+  double read(const Link& link, std::span<const float> tint, const PatchForest* shooter);
   /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
   /// intensity.
   std::span<const double> means() const { return means_; }
+  /// Returns what of `light` in band b of the shooter read last arrives by the link's tint.
+  double tinted(double light, std::size_t b) const {
+    return tint_.empty() ? light : light * tint_[b];
+  }
   /// Returns the reflected radiosity of a far shooter read last.
   double reflected(std::size_t band) const { return light_[band * terms_]; }
   /// Adds the light read last, by the link's transport, to the irradiance of its receiver.
@@ -47,6 +51,7 @@ class GatheredLight {
   std::size_t bands_, terms_;
   std::vector<double> irradiance_;
   std::vector<double> light_, means_;  ///< of the shooter read last: as the basis has it; per band
+  std::span<const float> tint_;        ///< of the link read last
   std::vector<double> emitted_;        ///< of a far shooter: mean exitance per band; else empty
 };
 

@@ -37,7 +37,9 @@ void add_balance(const ClusterState& receiver, IterationFigures& figures, Coarse
     for (std::size_t b = 0; b < bands; ++b) {
       const double power = area_m2 * patches.irradiance(n)[b * terms];
       const double reflectance = patches.frames()[node.id.root].reflectance[b];
-      absorbed[b] = (1.0 - reflectance) * power;
+      // What a pane passes is at most its transmittance at normal incidence.
+      const BandValues& passes = patches.frames()[node.id.root].transmittance;
+      absorbed[b] = (1.0 - reflectance - (passes.empty() ? 0.0 : passes[b])) * power;
       escaping[b] = open_share * reflectance * power;
       figures.arriving_power[b] += power;
       figures.absorbed_power[b] += absorbed[b];

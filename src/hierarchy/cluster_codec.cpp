@@ -51,6 +51,7 @@ void write_frame(const PolygonFrame& frame, ByteWriter& w) {
     put_record(w, axis.x, axis.y, axis.z);
   w.put_all(frame.reflectance);
   w.put_all(frame.exitance);
+  w.put_all(frame.transmittance);
   w.put_all(frame.lines);
 }
 
@@ -61,6 +62,7 @@ PolygonFrame read_frame(ByteReader& r) {
     get_record(r, axis->x, axis->y, axis->z);
   r.get_all(frame.reflectance);
   r.get_all(frame.exitance);
+  r.get_all(frame.transmittance);
   frame.lines = r.get_all<MeshLine>();
   return frame;
 }
@@ -193,6 +195,8 @@ void ClusterCodec::write_links(const LinkSet& l, ByteWriter& w) {
   put_count(w, l.links_.size());
   for (const Link& link : l.links_) write_link(link, w);
   w.put_all(l.transport_);
+  put_count(w, l.tint_bands_);
+  w.put_all(l.tint_);
 }
 
 LinkSet ClusterCodec::read_links(ByteReader& r, std::size_t stride) {
@@ -202,7 +206,10 @@ LinkSet ClusterCodec::read_links(ByteReader& r, std::size_t stride) {
   l.links_.resize(r.get_count(link_bytes));
   for (Link& link : l.links_) link = read_link(r);
   l.transport_ = r.get_all<float>();
-  if (l.transport_.size() != l.links_.size() * l.stride_) {
+  l.tint_bands_ = r.get<std::uint64_t>();
+  l.tint_ = r.get_all<float>();
+  if (l.transport_.size() != l.links_.size() * l.stride_ ||
+      l.tint_.size() != l.links_.size() * l.tint_bands_) {
     throw RunError("a cluster's record holds transport for another number of links");
   }
   return l;
@@ -214,7 +221,7 @@ std::size_t ClusterCodec::patches_bytes(const PatchForest& f) {
 }
 
 std::size_t ClusterCodec::links_bytes(const LinkSet& l) {
-  return l.links_.size() * link_bytes + l.transport_.size() * sizeof(float);
+  return l.links_.size() * link_bytes + (l.transport_.size() + l.tint_.size()) * sizeof(float);
 }
 
 }  // namespace enfilade

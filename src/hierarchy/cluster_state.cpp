@@ -12,6 +12,7 @@ PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
   const Surface& surface = scene.surfaces[polygon.surface.index()];
   frame.reflectance.assign(surface.reflectance.begin(), surface.reflectance.end());
   frame.exitance.assign(surface.exitance.begin(), surface.exitance.end());
+  frame.transmittance.assign(surface.transmittance.begin(), surface.transmittance.end());
   for (const Segment& s : polygon.contacts) {
     frame.lines.push_back({frame.project(s.a), frame.project(s.b)});
   }

@@ -54,7 +54,14 @@ class LinkSet {
     return {transport_.data() + i * stride_, stride_};
   }
   std::span<float> transport(std::size_t i) { return {transport_.data() + i * stride_, stride_}; }
-  void add(const Link& link, std::span<const float> transport);
+  /// Of a link through tinted panes, `tint`: what passes in each band, relative to the transport;
+  /// empty: the same in all bands.
+  void add(const Link& link, std::span<const float> transport, std::span<const double> tint = {});
+  /// Adds link i of another set.
+  void add_from(const LinkSet& other, std::size_t i);
+  std::span<const float> tint(std::size_t i) const {
+    return {tint_.data() + i * tint_bands_, tint_bands_};
+  }
   /// Replaces all links by the first n of another set.
   void take_first(const LinkSet& other, std::size_t n);
   /// Returns the bytes on the heap.
@@ -68,6 +75,8 @@ class LinkSet {
   std::size_t stride_ = 1;
   std::vector<Link> links_;
   std::vector<float> transport_;
+  std::size_t tint_bands_ = 0;  ///< of each link; 0 while no link is tinted
+  std::vector<float> tint_;
 };
 
 /// Calls take(polygon, cosine) for those polygons of a receiving group that face the link's

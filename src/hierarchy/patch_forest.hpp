@@ -37,6 +37,7 @@ struct PolygonFrame {
   SurfaceId surface;
   Vec3 origin{0.0}, u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0}, n{0.0, 0.0, 1.0};
   BandValues reflectance, exitance;  ///< per band
+  BandValues transmittance{};        ///< per band, of a pane; else empty
   std::vector<MeshLine> lines;       ///< candidates for the cuts of the polygon's patches
 
   Vec3 at(const Vec2& p) const { return origin + p.x * u + p.y * v; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "geometry/sampling.hpp"
 #include "json/json_text.hpp"
@@ -45,6 +44,7 @@ class Survey {
       for (Polygon& part : convex_parts(scene.surfaces[s].vertices, scale).parts) {
         polygons_.push_back(std::move(part));
         surface_of_.push_back(s);
+        panes_.push_back(scene.surfaces[s].is_pane() ? 1 : 0);
       }
     }
     back_power_.resize(scene.surfaces.size());
@@ -53,7 +53,7 @@ class Survey {
 
   void tell() {
     constexpr std::size_t rays = 16384, fewest = 16;
-    const RayScene blockers(polygons_);
+    const RayScene blockers(polygons_, panes_);
     Random random(1);
     double total = 0.0;
     for (const Emitter& e : emitters_) total += e.power;
@@ -75,8 +75,9 @@ class Survey {
       if (surface.two_sided) emitters_.push_back({power, i, true, nullptr});
     }
     for (const LightSource& light : scene_.lights) {
-      const double power = 4.0 * std::numbers::pi * strongest(light.intensity);
-      if (power > 0.0) emitters_.push_back({power, RayScene::no_polygon, false, &light});
+      const double power = power_per_intensity(light) * strongest(light.intensity);
+      if (power > 0.0 && !light.is_far())
+        emitters_.push_back({power, RayScene::no_polygon, false, &light});
     }
     // The brightest thousand tell enough, and cost no time.
     constexpr std::size_t most = 1024;
@@ -156,6 +157,7 @@ class Survey {
   Warnings& warnings_;
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> surface_of_;
+  std::vector<char> panes_;  ///< by polygon: light passes it
   std::vector<Emitter> emitters_;
   std::vector<double> back_power_;  ///< by surface
   std::map<std::string, LampLight> lamps_;
@@ -175,7 +177,7 @@ LightSources light_sources(const Scene& scene) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < sources.power.size(); ++band)
-      sources.power[band] += 4.0 * std::numbers::pi * light.intensity[band];
+      sources.power[band] += sent_per_intensity(light) * light.intensity[band];
   }
   return sources;
 }
@@ -188,6 +190,37 @@ void survey_light(const Scene& scene, Warnings& warnings) {
     return;
   }
   Survey(scene, warnings).tell();
+}
+
+void survey_far_lights(Scene& scene) {
+  const auto is_far = [](const LightSource& light) { return light.is_far(); };
+  if (std::ranges::none_of(scene.lights, is_far)) return;
+  const SceneScale scale(scene);
+  std::vector<Polygon> polygons;
+  std::vector<char> panes, two_sided;
+  for (const Surface& surface : scene.surfaces) {
+    for (Polygon& part : convex_parts(surface.vertices, scale).parts) {
+      polygons.push_back(std::move(part));
+      panes.push_back(surface.is_pane() ? 1 : 0);
+      two_sided.push_back(surface.two_sided ? 1 : 0);
+    }
+  }
+  const RayScene blockers(polygons, panes);
+  constexpr int rays = 1 << 17;
+  for (LightSource& light : scene.lights) {
+    if (!light.is_far()) continue;
+    Random random(1);
+    int met = 0;
+    for (int i = 0; i < rays; ++i) {
+      const double r1 = (i + random.uniform()) / rays, r2 = random.uniform();
+      const double r3 = random.uniform(), r4 = random.uniform();
+      const LightRay ray = emitted_ray(light, r1, r2, r3, r4);
+      const RayHit hit =
+          blockers.closest(ray.from, ray.direction, RayScene::no_polygon, 1e30, RayStart::in_air);
+      met += hit.any() && (hit.front || two_sided[hit.polygon] != 0) ? 1 : 0;
+    }
+    light.arriving = std::max(1, met) / static_cast<double>(rays);
+  }
 }
 
 }  // namespace enfilade

@@ -18,4 +18,8 @@ LightSources light_sources(const Scene& scene);
 /// close before it. Casts some 10,000 rays, the same each time.
 void survey_light(const Scene& scene, Warnings& warnings);
 
+/// Estimates by rays how much of the light of sky, sun and ground meets fronts of the scene
+/// (LightSource::arriving). After make_lights().
+void survey_far_lights(Scene& scene);
+
 }  // namespace enfilade

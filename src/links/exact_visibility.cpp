@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "geometry/form_factor.hpp"
-#include "hierarchy/four_point_fit.hpp"
 #include "links/link_visibility.hpp"
+#include "links/terms/four_point_fit.hpp"
+#include "links/terms/mean_place.hpp"
 
 namespace enfilade {
 namespace {
@@ -19,28 +20,6 @@ constexpr double corner_inset = 0.98;
 constexpr double corner_misfit_share = 0.25;
 /// Where no point sees anything, a point between them may still see this share.
 constexpr double all_hidden_uncertainty = 0.02;
-
-/// The centroid of the parts' light in their polygon's frame, as x with normal n weighs it: three
-/// points a triangle, exact for quadratics (Strang and Fix 1973).
-Vec2 mean_place(const VisibleParts& parts, const Vec3& x, const Vec3& n,
-                const PolygonFrame& frame) {
-  Vec2 sum(0.0);
-  double weight = 0.0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const std::span<const Vec3> part = parts[p];
-    for (std::size_t i = 2; i < part.size(); ++i) {
-      const Vec3 corner[3] = {part[0], part[i - 1], part[i]};
-      const double area = glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
-      for (int side = 0; side < 3; ++side) {
-        const Vec3 y = 0.5 * (corner[side] + corner[(side + 1) % 3]);
-        const double w = area * point_kernel(x, n, y, frame.n);
-        weight += w;
-        sum += w * frame.project(y);
-      }
-    }
-  }
-  return weight > 0.0 ? sum / weight : Vec2(0.0);
-}
 
 }  // namespace
 
@@ -62,7 +41,9 @@ std::optional<LinkVisibility::PointCut> LinkVisibility::cut_at(const Vec3& x, co
   if (whole <= 0.0) return PointCut{};
   if (!cut_parts(x, shooter)) return std::nullopt;
   PointCut cut;
-  cut.seen = std::min(whole, parts_.factor(n));
+  cut.seen =
+      std::min(whole, panes_.empty() ? parts_.factor(n)
+                                     : cut_by_panes(x, n, parts_, panes_, *occluders_, dimmed_));
   const double hidden = whole - cut.seen;
   cut.hidden = hidden <= least_hidden_share * whole ? 0.0 : hidden;
   most.seen = std::max(most.seen, cut.seen);
@@ -79,15 +60,23 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
   const std::array<Vec2, 4> points = receiver.shape.quadrature();
   PointCut most;
   std::array<double, 4> hidden{};
+  std::array<TintSum, 4> tints;
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3 x = frame.at(points[k]);
     const std::optional<PointCut> cut = cut_at(x, frame.n, shooter, most);
     if (!cut) return std::nullopt;
     hidden[k] = cut->hidden;
     v.at[k] = cut->share();
+    if (cut->hidden <= 0.0) tints[k].add(cut->seen, {});
     if (cut->hidden <= 0.0 || cut->seen <= 0.0) continue;
     v.partial[k] = true;
-    v.seen_from[k] = mean_place(parts_, x, frame.n, shooter.frame()) - shooter.shape.centroid;
+    MeanPlace place{x, frame.n, shooter.frame()};
+    for (std::size_t p = 0; p < parts_.size() && panes_.empty(); ++p) place.add(parts_[p], 1.0);
+    for (std::size_t p = 0; p < dimmed_.size() && !panes_.empty(); ++p) {
+      place.add(dimmed_[p].polygon, dimmed_[p].passage.share);
+      tints[k].add(dimmed_[p].factor, dimmed_[p].passage);
+    }
+    v.seen_from[k] = place.mean() - shooter.shape.centroid;
   }
   const std::optional<PointCut> center = cut_at(receiver.center, frame.n, shooter, most);
   if (!center) return std::nullopt;
@@ -95,6 +84,8 @@ std::optional<PairVisibility> LinkVisibility::by_parts(const LinkSide& receiver,
   const std::optional<double> misfit = unpredicted_at_corners(receiver, shooter, hidden, most);
   if (!misfit) return std::nullopt;
   v.unfit = most.hidden > 0.0 ? *misfit : small_shadows(receiver, shooter);
+  for (const TintSum& tint : tints) v.tint.add(tint);
+  v.unfit += v.tint.mean_difference(tints);  // the points' tints count as one
   if (most.seen <= 0.0) v.uncertainty = all_hidden_uncertainty;
   return v;
 }

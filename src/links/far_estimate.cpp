@@ -124,6 +124,7 @@ ShooterSample sample_of(const LinkSide& shooter, const Vec3& x, const Vec3& n, d
 struct Sums {
   double all = 0.0, seen = 0.0, seen2 = 0.0, emitted = 0.0, factor = 0.0;
   int samples = 0, hidden = 0;
+  TintSum tint{};
   double deviation_of_mean() const {
     const double mean = seen / samples;
     return std::sqrt(std::max(0.0, seen2 / samples - mean * mean) / std::max(1, samples - 1));
@@ -154,14 +155,16 @@ struct FarSampler {
       sums.all += irradiance;
       ++work.rays;
       const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
-      if (occluders.rays().occluded(p.x, s.y, own, s.polygon)) {
+      const Passage passage = occluders.passage(p.x, s.y, own, s.polygon);
+      if (passage.share <= 0.0) {
         ++sums.hidden;
         continue;
       }
-      sums.seen += irradiance;
-      sums.seen2 += irradiance * irradiance;
-      sums.emitted += s.emitted;
-      sums.factor += s.factor;
+      sums.tint.add(irradiance, passage);
+      sums.seen += passage.share * irradiance;
+      sums.seen2 += passage.share * irradiance * passage.share * irradiance;
+      sums.emitted += passage.share * s.emitted;
+      sums.factor += passage.share * s.factor;
     }
   }
 };
@@ -224,6 +227,7 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   double deviation = sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * all;
   if (sums.hidden > 0) deviation = std::max(deviation, unseen_samples * all / sums.samples);
   if (sums.all <= 0.0) deviation = unseen_samples * bound / (receiver.area_m2 * sums.samples);
+  out.tint = sums.tint.mean();
   if (light <= 0.0) return out;
   out.shooter_error = receiver.area_m2 * deviation / light;
   out.variation = far_variation * receiver.area_m2 * mean / light;

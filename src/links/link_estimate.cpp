@@ -126,24 +126,24 @@ LinkEstimate LinkEstimator::evaluate(const LinkSide& receiver, const LinkSide& s
                              : evaluate_patch(receiver, shooter, tolerance);
 }
 
-std::array<float, 9> LinkEstimator::kept_transport(const LinkSide& receiver,
-                                                   const LinkSide& shooter, double tolerance,
-                                                   const Between& among,
-                                                   const LinkEstimate& decided) {
-  if (!decided.sampled) return decided.transport;
+LinkEstimate LinkEstimator::kept(const LinkSide& receiver, const LinkSide& shooter,
+                                 double tolerance, const Between& among,
+                                 const LinkEstimate& decided) {
+  if (!decided.sampled) return decided;
   draw_ = other_draw;
-  const LinkEstimate anew = evaluate(receiver, shooter, tolerance, among);
+  LinkEstimate anew = evaluate(receiver, shooter, tolerance, among);
   draw_ = 0;
-  return anew.transport;
+  return anew;
 }
 
 /// The share of a shooter that a receiving group sees, by four rays from points on its polygons,
 /// which are drawn by their area facing the shooter (`facing`, `facing_m2` in all).
 double LinkEstimator::seen_by_group(const LinkSide& receiver, const LinkSide& shooter,
-                                    std::span<const double> facing, double facing_m2) {
+                                    std::span<const double> facing, double facing_m2,
+                                    TintSum& tint) {
   const GroupNode& group = receiver.group();
   Random random(LinkSide::seed_of(receiver, shooter) + draw_);
-  int open = 0;
+  double open = 0.0;
   for (int ray = 0; ray < 4; ++ray) {
     double pick = facing_m2 * (ray + random.uniform()) / 4.0;
     std::uint32_t i = 0;
@@ -153,7 +153,9 @@ double LinkEstimator::seen_by_group(const LinkSide& receiver, const LinkSide& sh
     const Vec3 x = frame.at(receiver.forest->node(k).shape.point_in_quarter(
         static_cast<int>(random.below(4)), random.uniform(), random.uniform()));
     const std::uint32_t own = occluders_->global(receiver.cluster, k);
-    open += visibility_.ray_open(x, own, shooter, group_factors_, ray, random, nullptr) ? 1 : 0;
+    const Passage passage = visibility_.ray(x, own, shooter, group_factors_, ray, random, nullptr);
+    tint.add(1.0, passage);
+    open += passage.share;
   }
   return open / 4.0;
 }
@@ -181,7 +183,9 @@ LinkEstimate LinkEstimator::evaluate_group(const LinkSide& receiver, const LinkS
     return out;
   }
   out.sampled = true;
-  const double seen = seen_by_group(receiver, shooter, facing, facing_m2);
+  TintSum tint;
+  const double seen = seen_by_group(receiver, shooter, facing, facing_m2, tint);
+  out.tint = tint.mean();
   out.transport = {static_cast<float>(factor * seen), static_cast<float>(toward.x),
                    static_cast<float>(toward.y), static_cast<float>(toward.z)};
   out.receiver_error = facing_m2 * factor * (seen == 0.0 ? hidden_group_error : group_error);

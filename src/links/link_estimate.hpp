@@ -16,6 +16,7 @@ namespace enfilade {
 struct LinkEstimate {
   std::array<float, 9>
       transport{};              ///< receiver term by shooter term; group receiver: {E, direction}
+  std::vector<double> tint{};   ///< of what passes panes, per band (LinkSet::add)
   double receiver_error = 0.0;  ///< from variation over the receiver that the fit leaves out
   double shooter_error = 0.0;   ///< from the uncertainty of the visible share
   double variation = 0.0;       ///< error per unit of the shooter's variation
@@ -47,13 +48,12 @@ class LinkEstimator {
   /// contain these two.
   LinkEstimate evaluate(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
                         const Between& among);
-  /// Returns the transport of the link that was evaluated last, for a link that is kept. Where rays
+  /// Returns the link that was evaluated last, whose transport is kept. Where rays
   /// were drawn it is evaluated once more with others: a link whose rays happened to show little is
   /// kept sooner than one whose rays show much, which is refined and drawn anew; so the rays that
   /// decided would carry too little light.
-  std::array<float, 9> kept_transport(const LinkSide& receiver, const LinkSide& shooter,
-                                      double tolerance, const Between& among,
-                                      const LinkEstimate& decided);
+  LinkEstimate kept(const LinkSide& receiver, const LinkSide& shooter, double tolerance,
+                    const Between& among, const LinkEstimate& decided);
   /// Returns the polygons between the sides of the link that was evaluated last.
   Between between() const { return visibility_.between(); }
   /// Returns an upper bound of the received power, by distance and size alone.
@@ -68,7 +68,7 @@ class LinkEstimator {
   LinkEstimate evaluate_group(const LinkSide& receiver, const LinkSide& shooter);
   LinkEstimate evaluate_far(const LinkSide& receiver, const LinkSide& shooter, double tolerance);
   double seen_by_group(const LinkSide& receiver, const LinkSide& shooter,
-                       std::span<const double> facing, double facing_m2);
+                       std::span<const double> facing, double facing_m2, TintSum& tint);
   PointFactors point_factors(const LinkSide& receiver, const LinkSide& shooter);
   double factor_at(const Vec3& x, const Vec3& n, const LinkSide& shooter,
                    std::span<double> per_polygon);

@@ -48,7 +48,9 @@ NodeLight LinkRefinement::light_of(const Link& link, const PatchForest* shooter)
 }
 
 bool LinkRefinement::can_split(const LinkSide& side) const {
-  if (side.is_light()) return !side.part->is_point() && side.id.path < (1u << finest_light_part);
+  if (side.is_light())
+    return !side.part->is_point() && !side.part->light->sky &&
+           side.id.path < (1u << finest_light_part);
   if (side.is_group() || side.is_far()) return true;
   return side.id.path < (1u << config_.max_depth) && side.area_m2 > config_.min_area_m2 &&
          side.shape.deviations().y > 0.0;
@@ -120,15 +122,15 @@ void LinkRefinement::evaluate(Link link, const LinkEstimator::Between& among,
   describe(link, shooter, estimate);
   const std::span<const float> transport(estimate.transport.data(), kept.stride());
   if (oracle_->estimated_error(link, transport, receiver_.patches(), shooter) <= tolerance) {
-    const auto anew = estimator_.kept_transport(receiver, shooter, tolerance, among, estimate);
-    kept.add(link, {anew.data(), kept.stride()});
+    const LinkEstimate anew = estimator_.kept(receiver, shooter, tolerance, among, estimate);
+    kept.add(link, {anew.transport.data(), kept.stride()}, anew.tint);
     return;
   }
   bool split_receiver = oracle_->splits_receiver(receiver, shooter, estimate);
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) split_receiver = !split_receiver;
   if (split_receiver ? !can_split(receiver) : !can_split(shooter)) {
     link.finest = true;
-    kept.add(link, transport);
+    kept.add(link, transport, estimate.tint);
     return;
   }
   const LinkEstimator::Between between = estimator_.between();

@@ -8,7 +8,7 @@
 #include "far_field/far_view.hpp"
 #include "geometry/polygon.hpp"
 #include "hierarchy/cluster_state.hpp"
-#include "hierarchy/light_part.hpp"
+#include "light_parts/light_part.hpp"
 
 namespace enfilade {
 

@@ -29,6 +29,13 @@ double uncertainty_of_16(int open) {
   return open == 0 || open == 16 ? p < 0.5 ? p : 1.0 - p : std::sqrt(p * (1.0 - p) / 16.0);
 }
 
+double mean_of(const std::array<double, 4>& at) { return 0.25 * (at[0] + at[1] + at[2] + at[3]); }
+
+/// A shaft's ends are points or flat: not a light's corners that hold several polygons.
+bool one_flat_side(const LinkSide& light) {
+  return light.part->is_point() || light.part->is_one_polygon();
+}
+
 /// The shooter's quarter that the first ray from a receiver's quarter goes to: a permutation.
 int first_partner(int quarter) { return (quarter * 3 + 1) % 4; }
 
@@ -43,16 +50,28 @@ struct LinkVisibility::QuarterRays {
   std::uint32_t own;  ///< global number of the receiver's polygon
   Random random;
 
-  bool open(int quarter, int shooter_quarter, std::uint32_t* blocker) {
+  double dimmed2 = 0.0;  ///< sum of the squares of what the panes keep from open rays
+
+  /// Returns the share that passes.
+  double ray(int quarter, int shooter_quarter, std::uint32_t* blocker, PairVisibility& v) {
     const Vec3 x = receiver.frame().at(
         receiver.shape.point_in_quarter(quarter, random.uniform(), random.uniform()));
-    return visibility.ray_open(x, own, shooter, group_factors, shooter_quarter, random, blocker);
+    const Passage passage =
+        visibility.ray(x, own, shooter, group_factors, shooter_quarter, random, blocker);
+    v.tint.add(1.0, passage);
+    if (passage.share > 0.0) dimmed2 += (1.0 - passage.share) * (1.0 - passage.share);
+    return passage.share;
+  }
+  /// Standard deviation of the mean of 16 rays by what panes pass of the open ones.
+  double deviation_by_panes(double mean, int open) const {
+    const double kept = open > 0 ? 1.0 - 16.0 * mean / open : 0.0;
+    return std::sqrt(std::max(0.0, dimmed2 / 16.0 - open / 16.0 * kept * kept) / 16.0);
   }
   PairVisibility one() {
     PairVisibility v;
     v.sampled = true;
     const int quarter = static_cast<int>(random.below(4));
-    v.fill(open(quarter, quarter, nullptr) ? 1.0 : 0.0);
+    v.fill(ray(quarter, quarter, nullptr, v));
     v.uncertainty = one_ray_uncertainty;
     return v;
   }
@@ -60,9 +79,9 @@ struct LinkVisibility::QuarterRays {
   int four(PairVisibility& v, std::uint32_t& blocker) {
     int count = 0;
     for (int q = 0; q < 4; ++q) {
-      const bool seen = open(q, first_partner(q), &blocker);
-      v.at[static_cast<std::size_t>(q)] = seen ? 1.0 : 0.0;
-      count += seen ? 1 : 0;
+      const double share = ray(q, first_partner(q), &blocker, v);
+      v.at[static_cast<std::size_t>(q)] = share;
+      count += share > 0.0 ? 1 : 0;
     }
     return count;
   }
@@ -73,9 +92,9 @@ struct LinkVisibility::QuarterRays {
     for (int q = 0; q < 4; ++q) {
       for (int other = 0; other < 4; ++other) {
         if (other == first_partner(q)) continue;
-        const bool seen = open(q, other, nullptr);
-        v.at[static_cast<std::size_t>(q)] += seen ? 1.0 : 0.0;
-        count += seen ? 1 : 0;
+        const double share = ray(q, other, nullptr, v);
+        v.at[static_cast<std::size_t>(q)] += share;
+        count += share > 0.0 ? 1 : 0;
       }
       v.at[static_cast<std::size_t>(q)] /= 4.0;
     }
@@ -110,18 +129,19 @@ LinkVisibility::Target LinkVisibility::target_on(const LinkSide& shooter,
   return {y, occluders_->global(shooter.cluster, k)};
 }
 
-bool LinkVisibility::ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
-                              std::span<const double> group_factors, int quarter, Random& random,
-                              std::uint32_t* blocker) {
+Passage LinkVisibility::ray(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
+                            std::span<const double> group_factors, int quarter, Random& random,
+                            std::uint32_t* blocker) {
   const auto [y, skip_shooter] = target_on(shooter, group_factors, quarter, random);
   ++work_->rays;
-  if (blocker == nullptr) return !occluders_->rays().occluded(x, y, skip, skip_shooter);
+  if (blocker == nullptr) return occluders_->passage(x, y, skip, skip_shooter);
   const double distance = glm::length(y - x);
   const RayHit hit =
       occluders_->rays().closest(x, y - x, skip, distance - occluders_->rays().epsilon_m());
-  if (!hit.any() || hit.polygon == skip_shooter) return true;
+  if (!hit.any() || hit.polygon == skip_shooter)
+    return occluders_->dimmed(x, y - x, distance - occluders_->rays().epsilon_m(), skip);
   *blocker = hit.polygon;
-  return false;
+  return {0.0, {}};
 }
 
 /// After four rays that agree: true where a proof shows that all is open, or that `blocker` hides
@@ -131,10 +151,37 @@ bool LinkVisibility::proven(const LinkSide& receiver, const LinkSide& shooter, b
   ++work_->shafts;
   if (!open) return occluders_->shaft_shut(receiver.corners, shooter.corners, blocker);
   // The exact method has tried the shaft between two patches already.
-  return shooter.is_light() &&
+  return shooter.is_light() && one_flat_side(shooter) &&
          occluders_->shaft_open(receiver.corners, shooter.corners,
                                 occluders_->global(receiver.cluster, receiver.id.root),
                                 RayScene::no_polygon);
+}
+
+/// Where nothing but whole panes stands between: what passes to the receiver's four points, exact
+/// of each of the light's points.
+bool LinkVisibility::through_whole_panes(const LinkSide& receiver, const LinkSide& light,
+                                         PairVisibility& v) {
+  const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
+  if (!light.is_light() || !one_flat_side(light) ||
+      !only_whole_panes_between(receiver.corners, own, light.corners, *occluders_))
+    return false;
+  const PolygonFrame& frame = receiver.frame();
+  const auto points = receiver.shape.quadrature();
+  v.tint = {};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 x = frame.at(points[k]);
+    double all = 0.0, passed = 0.0;
+    for (const LightPoint& point : light.part->points()) {
+      const double one = point.share * kernel_from(*light.part->light, point.y, x, frame.n);
+      const Passage passage = occluders_->passage(x, point.y, own, RayScene::no_polygon);
+      v.tint.add(one, passage);
+      all += one;
+      passed += one * passage.share;
+    }
+    if (all > 0.0) v.at[k] = passed / all;
+  }
+  v.center = mean_of(v.at);
+  return true;
 }
 
 /// One, four or sixteen rays, by the power at stake.
@@ -154,18 +201,19 @@ PairVisibility LinkVisibility::by_rays(const LinkSide& receiver, const LinkSide&
   const bool agree = open_of_four == 0 || open_of_four == 4;
   if (four_rays_uncertainty * power <= tolerance) {
     v.sampled = true;
-    v.fill(open_of_four / 4.0);
+    v.fill(mean_of(v.at));
     v.uncertainty = agree ? agreeing_uncertainty : four_rays_uncertainty;
     return v;
   }
   if (agree && !shooter.is_group() && method_ == VisibilityMethod::exact) {
-    v.center = open_of_four / 4.0;
+    v.center = mean_of(v.at);
+    if (open_of_four == 4 && through_whole_panes(receiver, shooter, v)) return v;
     if (proven(receiver, shooter, open_of_four == 4, blocker)) return v;
   }
   const int open = rays.sixteen(v, open_of_four);
   v.sampled = true;
-  v.center = open / 16.0;
-  v.uncertainty = uncertainty_of_16(open);
+  v.center = mean_of(v.at);
+  v.uncertainty = std::hypot(uncertainty_of_16(open), rays.deviation_by_panes(v.center, open));
   return v;
 }
 
@@ -195,7 +243,7 @@ PairVisibility LinkVisibility::of(const LinkSide& receiver, const LinkSide& shoo
   if (four_rays_uncertainty * power > tolerance && method_ == VisibilityMethod::exact &&
       find_between(*to, *from) && between_.size() <= most_occluders) {
     PairVisibility v;
-    if (between_.empty()) return v;
+    if (between_.empty() && panes_.empty()) return v;
     if (one_hides_all(*to, *from)) {
       v.fill(0.0);
       return v;
@@ -214,6 +262,7 @@ bool LinkVisibility::find_between(const LinkSide& receiver, const LinkSide& shoo
   ++work_->shafts;
   const std::uint32_t own = occluders_->global(receiver.cluster, receiver.id.root);
   const std::uint32_t other = occluders_->global(shooter.cluster, shooter.id.root);
+  occluders_->panes_between(receiver.corners, shooter.corners, own, other, panes_);
   if (among_) {
     occluders_->find_among(*among_, receiver.corners, shooter.corners, own, other, between_);
     all_between_ = true;

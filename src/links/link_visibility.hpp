@@ -13,6 +13,7 @@
 #include "geometry/visible_parts.hpp"
 #include "links/link_side.hpp"
 #include "occluders/occluders.hpp"
+#include "occluders/pane_view.hpp"
 
 namespace enfilade {
 
@@ -29,6 +30,7 @@ struct PairVisibility {
   /// Mean hidden form factor that the four points do not predict.
   double unfit = 0.0;
   bool sampled = false;  ///< by random rays
+  TintSum tint{};        ///< of what passes panes
   /// Exact visibility only. partial[k]: point k sees only a part of the shooter. seen_from[k]: the
   /// centroid of this part's light, relative to the shooter's centroid, in the frame of the
   /// shooter's polygon.
@@ -64,10 +66,10 @@ class LinkVisibility {
   PairVisibility of(const LinkSide& receiver, const LinkSide& shooter,
                     std::span<const double> group_factors, double power, double tolerance);
   /// Casts a ray from x, on polygon `skip`, to a random point in a quarter (0 .. 3) of the shooter;
-  /// true where nothing is hit. Writes the polygon that is hit into `blocker` unless that is null.
-  bool ray_open(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
-                std::span<const double> group_factors, int quarter, Random& random,
-                std::uint32_t* blocker);
+  /// returns what passes. Writes the polygon that is hit into `blocker` unless that is null.
+  Passage ray(const Vec3& x, std::uint32_t skip, const LinkSide& shooter,
+              std::span<const double> group_factors, int quarter, Random& random,
+              std::uint32_t* blocker);
   /// Returns the polygons between the sides of the pair that was evaluated last.
   Between between() const;
 
@@ -98,6 +100,7 @@ class LinkVisibility {
   std::optional<PointCut> cut_at(const Vec3& x, const Vec3& n, const LinkSide& shooter,
                                  PointCut& most);
   bool cut_parts(const Vec3& x, const LinkSide& shooter);
+  bool through_whole_panes(const LinkSide& receiver, const LinkSide& light, PairVisibility& v);
   double small_shadows(const LinkSide& receiver, const LinkSide& shooter);
 
   const Occluders* occluders_;
@@ -108,6 +111,8 @@ class LinkVisibility {
   std::vector<std::uint32_t> between_;  ///< occluders of the pair at hand
   bool all_between_ = false;            ///< between_ has been searched for, and is complete
   VisibleParts parts_;
+  std::vector<std::uint32_t> panes_;  ///< of the pair at hand
+  std::vector<DimmedPart> dimmed_;    ///< the visible parts as seen through them
 };
 
 }  // namespace enfilade

@@ -5,8 +5,9 @@
 #include <numbers>
 
 #include "geometry/form_factor.hpp"
-#include "links/error_terms.hpp"
 #include "links/link_estimate.hpp"
+#include "links/terms/error_terms.hpp"
+#include "links/terms/sky_samples.hpp"
 
 namespace enfilade {
 namespace {
@@ -199,6 +200,23 @@ std::array<float, 9> transport_of(const LinkSide& receiver, const PointRows& row
   return transport;
 }
 
+/// The sky is never cut: what its parts bring together is known at the receiver's points.
+LinkEstimate sky_estimate(const LinkSide& receiver, const LightSource& sky,
+                          const Occluders& occluders, WorkCount& work) {
+  const std::uint32_t own = occluders.global(receiver.cluster, receiver.id.root);
+  const SkySamples found = sky_samples(receiver.frame(), receiver.shape, own, sky, occluders, work);
+  ReceiverSamples samples{FourPointFit::of(found.at), found.center};
+  samples.seen = 1.0;
+  samples.unfit = found.unfit + found.hidden + found.error;
+  LinkEstimate out;
+  out.receiver_error = receiver.area_m2 * receiver_error(samples, receiver.forest->terms());
+  out.tint = found.tint.mean();
+  PointRows rows{};
+  for (std::size_t k = 0; k < 4; ++k) rows[k][0] = found.at[k];
+  out.transport = transport_of(receiver, rows);
+  return out;
+}
+
 }  // namespace
 
 PointFactors LinkEstimator::point_factors(const LinkSide& receiver, const LinkSide& shooter) {
@@ -226,6 +244,8 @@ PointFactors LinkEstimator::point_factors(const LinkSide& receiver, const LinkSi
 
 LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkSide& shooter,
                                            double tolerance) {
+  if (shooter.is_light() && shooter.part->light->sky)
+    return sky_estimate(receiver, *shooter.part->light, *occluders_, *work_);
   LinkEstimate out;
   PointFactors factor = point_factors(receiver, shooter);
   const double largest = std::max({factor.mean, factor.center, factor.rim, factor.total});
@@ -237,6 +257,7 @@ LinkEstimate LinkEstimator::evaluate_patch(const LinkSide& receiver, const LinkS
   const double power = receiver.area_m2 * largest * shooter.light;
   const PairVisibility v = visibility_.of(receiver, shooter, group_factors_, power, tolerance);
   out.sampled = v.sampled;
+  out.tint = v.tint.mean();
   ReceiverSamples samples;
   samples.missed = match_total(receiver, shooter, factor, *work_);
   std::array<double, 4> e = factor.at;  // visible irradiance per radiosity

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "occluders/sky_at.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -22,7 +24,18 @@ constexpr int most_halvings = 14;
 constexpr double wide = 0.1, very_wide = 0.3;
 /// Of the light of a part of which some points are hidden: the error that remains.
 constexpr double mixed_error = 0.25;
+/// What passes from two points differs by more than this where they are seen through other panes.
+constexpr double other_pane = 0.05;
 constexpr double pi = std::numbers::pi;
+
+/// Of what passes from several points.
+struct Range {
+  double least = 1.0, most = 0.0;
+  void add(double share) {
+    least = std::min(least, share);
+    most = std::max(most, share);
+  }
+};
 
 class Opening {
  public:
@@ -41,18 +54,19 @@ class Opening {
     add(whole, kernel, 0);
     // Where some see the place and some do not, the edge may run between parts that agree in
     // themselves: their corners are asked as well.
-    if (any_seen_ && any_hidden_) {
+    if (any_seen_ && (any_hidden_ || any_dimmed_) && !whole.is_point()) {
       with_corners_ = true;
       sum_ = error2_ = edge_error_ = 0.0;
+      tint_ = {};
       add(whole, kernel, 0);
     }
-    return {sum_, std::sqrt(error2_) + edge_error_};
+    return {sum_, std::sqrt(error2_) + edge_error_, tint_.mean()};
   }
 
  private:
-  bool open(const Vec3& y) const {
+  Passage passage(const Vec3& y) const {
     if (work_ != nullptr) ++work_->rays;
-    return !occluders_.rays().occluded(place_.x, y, place_.own, RayScene::no_polygon, place_.start);
+    return occluders_.passage(place_.x, y, place_.own, RayScene::no_polygon, place_.start);
   }
 
   /// True where the place is behind a light that sends nothing backwards.
@@ -77,12 +91,16 @@ class Opening {
     return most > least_unseen * std::max(scale_, 1.0 / (distance * distance));
   }
 
-  /// True where a corner of a part of one polygon is seen and the points are not, or the reverse.
-  bool corners_differ(const LightPart& part, bool seen) const {
+  /// True where a corner of a part of one polygon is seen and the points are not, or the reverse,
+  /// or is seen through other panes.
+  bool corners_differ(const LightPart& part, const Range& passed) const {
     if (!part.is_one_polygon()) return false;
     const Polygon corners = part.corners();
     return std::any_of(corners.begin(), corners.end(), [&](const Vec3& y) {
-      return glm::dot(y - place_.x, place_.n) > 0.0 && open(y) != seen;
+      if (glm::dot(y - place_.x, place_.n) <= 0.0) return false;
+      const double share = passage(y).share;
+      return (share > 0.0) != (passed.most > 0.0) || share > passed.most + other_pane ||
+             share < passed.least - other_pane;
     });
   }
 
@@ -99,23 +117,30 @@ class Opening {
     }
     double sum = 0.0;
     int seen = 0, count = 0;
+    Range passed;
+    TintSum tint;
     for (const LightPoint& point : part.points()) {
       const double one = point.share * kernel_from(*part.light, point.y, place_.x, place_.n);
       if (one <= 0.0) continue;
       ++count;
-      if (!open(point.y)) continue;
+      const Passage passing = passage(point.y);
+      passed.add(passing.share);
+      tint.add(one, passing);
+      if (passing.share <= 0.0) continue;
       ++seen;
-      sum += one;
+      sum += one * passing.share;
     }
     any_seen_ |= seen > 0;
     any_hidden_ |= seen < count;
-    const bool mixed =
-        (seen > 0 && seen < count) || (with_corners_ && matters && corners_differ(part, seen > 0));
+    any_dimmed_ |= passed.least < 1.0 && passed.most > 0.0;
+    const bool mixed = (seen > 0 && seen < count) || passed.most - passed.least > other_pane ||
+                       (with_corners_ && matters && corners_differ(part, passed));
     if (mixed && may_halve && matters) {
       halve(part, halvings);
       return;
     }
     sum_ += sum;
+    tint_.add(tint);
     error2_ += kernel.spread * kernel.spread;
     if (mixed) edge_error_ += mixed_error * kernel.at;
   }
@@ -134,7 +159,8 @@ class Opening {
   WorkCount* work_;
   double scale_ = 0.0;  ///< about the whole light that may arrive
   int least_halvings_ = 0;
-  bool any_seen_ = false, any_hidden_ = false, with_corners_ = false;
+  bool any_seen_ = false, any_hidden_ = false, any_dimmed_ = false, with_corners_ = false;
+  TintSum tint_;
   double sum_ = 0.0, error2_ = 0.0;
   double edge_error_ = 0.0;  ///< parts on one edge err alike: a plain sum
 };
@@ -143,17 +169,17 @@ class Opening {
 
 LightAtPoint light_at(const LightSource& light, const LitPlace& place, const Occluders& occluders,
                       WorkCount* work) {
+  if (light.sky) return sky_at(light, place, occluders, work);
   return Opening(place, occluders, work).of(light);
 }
 
-double light_by_one_ray(const LightSource& light, const LitPlace& place, const Occluders& occluders,
-                        double r1, double r2) {
+LightAtPoint light_by_one_ray(const LightSource& light, const LitPlace& place,
+                              const Occluders& occluders, double r1, double r2) {
   const Vec3 y = point_on(light, r1, r2);
   const double kernel = kernel_from(light, y, place.x, place.n);
-  if (kernel <= 0.0 ||
-      occluders.rays().occluded(place.x, y, place.own, RayScene::no_polygon, place.start))
-    return 0.0;
-  return kernel;
+  if (kernel <= 0.0) return {};
+  Passage passage = occluders.passage(place.x, y, place.own, RayScene::no_polygon, place.start);
+  return {kernel * passage.share, 0.0, std::move(passage.tint)};
 }
 
 }  // namespace enfilade

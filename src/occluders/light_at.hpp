@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/work_count.hpp"
-#include "hierarchy/light_part.hpp"
+#include "light_parts/light_part.hpp"
 #include "occluders/occluders.hpp"
 
 namespace enfilade {
@@ -17,7 +17,11 @@ struct LitPlace {
 /// Irradiance per unit of the light's mean intensity, 1/m2.
 struct LightAtPoint {
   double irradiance = 0.0;
-  double error = 0.0;  ///< estimated: by an opening that is near, and by its shadows
+  double error = 0.0;          ///< estimated: by an opening that is near, and by its shadows
+  std::vector<double> tint{};  ///< per band, of what passes panes (Passage::tint)
+
+  /// Of what arrives in band b.
+  double band(std::size_t b) const { return tint.empty() ? irradiance : irradiance * tint[b]; }
 };
 
 /// Of a point light in closed form with one ray; of an opening by points on it, each with a ray,
@@ -26,7 +30,7 @@ struct LightAtPoint {
 LightAtPoint light_at(const LightSource& light, const LitPlace& place, const Occluders& occluders,
                       WorkCount* work = nullptr);
 /// An estimate without bias by one point of the opening at random (r1 and r2 in [0, 1)).
-double light_by_one_ray(const LightSource& light, const LitPlace& place, const Occluders& occluders,
-                        double r1, double r2);
+LightAtPoint light_by_one_ray(const LightSource& light, const LitPlace& place,
+                              const Occluders& occluders, double r1, double r2);
 
 }  // namespace enfilade

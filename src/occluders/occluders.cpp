@@ -14,10 +14,20 @@ std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
   return polygons;
 }
 
+std::vector<char> pane_flags(std::span<const Cluster> clusters) {
+  std::vector<char> flags;
+  for (const Cluster& c : clusters) {
+    for (const ClusterPolygon& p : c.polygons) flags.push_back(p.pane ? 1 : 0);
+  }
+  return flags;
+}
+
 }  // namespace
 
 Occluders::Occluders(std::span<const Cluster> clusters)
-    : rays_(all_polygons(clusters)), shafts_(std::make_unique<ShaftTree>(all_polygons(clusters))) {
+    : panes_(clusters),
+      rays_(all_polygons(clusters), pane_flags(clusters)),
+      shafts_(std::make_unique<ShaftTree>(all_polygons(clusters))) {
   Box box;
   std::uint32_t next = 0;
   for (const Cluster& c : clusters) {
@@ -46,7 +56,10 @@ bool Occluders::find_between(const Polygon& a, const Polygon& b, std::uint32_t s
                              std::vector<std::uint32_t>& found) const {
   found.clear();
   shafts_->find(shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b, most, found);
-  return found.size() <= most;
+  const bool complete = found.size() <= most;
+  if (panes_.any())
+    std::erase_if(found, [this](std::uint32_t polygon) { return panes_.contains(polygon); });
+  return complete;
 }
 
 void Occluders::find_among(std::span<const std::uint32_t> among, const Polygon& a, const Polygon& b,
@@ -55,6 +68,57 @@ void Occluders::find_among(std::span<const std::uint32_t> among, const Polygon& 
   found.clear();
   shafts_->find_among(among, shaft_between(a, b, tolerance_m()), tolerance_m(), skip_a, skip_b,
                       found);
+}
+
+Passage Occluders::passage(const Vec3& a, const Vec3& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                           RayStart start) const {
+  if (rays_.occluded(a, b, skip_a, skip_b, start)) return {0.0, {}};
+  if (!panes_.any()) return {};
+  const Vec3 d = b - a;
+  const double length_m = glm::length(d) - rays_.epsilon_m();
+  Passage passed;
+  if (length_m <= rays_.epsilon_m()) return passed;
+  std::vector<PaneCrossing> found;
+  rays_.crossings(a, d, length_m, skip_a, skip_b, start, found);
+  for (const PaneCrossing& c : found) panes_.dim(passed, c.polygon, c.cosine);
+  return passed;
+}
+
+Passage Occluders::dimmed(const Vec3& from, const Vec3& direction, double distance_m,
+                          std::uint32_t skip, RayStart start) const {
+  Passage passed;
+  if (!panes_.any()) return passed;
+  std::vector<PaneCrossing> found;
+  rays_.crossings(from, direction, distance_m, skip, skip, start, found);
+  for (const PaneCrossing& c : found) panes_.dim(passed, c.polygon, c.cosine);
+  return passed;
+}
+
+std::vector<PaneMet> Occluders::panes_along(const Vec3& from, const Vec3& direction,
+                                            double distance_m, std::uint32_t skip,
+                                            RayStart start) const {
+  std::vector<PaneCrossing> found;
+  rays_.crossings(from, direction, distance_m, skip, skip, start, found);
+  std::vector<PaneMet> met;
+  Passage passed;
+  for (const PaneCrossing& c : found) {
+    PaneMet pane{c.polygon, c.cosine > 0.0, c.distance_m, passed, {}};
+    panes_.dim(passed, c.polygon, c.cosine);
+    pane.behind = passed;
+    met.push_back(std::move(pane));
+  }
+  // Of a two-sided pane and its back, in one place, the one that shows its front comes first.
+  for (std::size_t i = 1; i < met.size(); ++i) {
+    const bool one_place = met[i].distance_m - met[i - 1].distance_m <= 2.0 * rays_.epsilon_m();
+    if (one_place && met[i].front && !met[i - 1].front) met[i].before = met[i - 1].before;
+  }
+  return met;
+}
+
+void Occluders::panes_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a,
+                              std::uint32_t skip_b, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  if (panes_.any()) panes_.find_between(a, b, tolerance_m(), skip_a, skip_b, found);
 }
 
 const Polygon& Occluders::polygon(std::uint32_t global) const { return shafts_->polygon(global); }

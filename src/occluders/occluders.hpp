@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clusters/cluster.hpp"
+#include "occluders/panes.hpp"
 #include "raycast/ray_scene.hpp"
 
 namespace enfilade {
@@ -16,9 +17,22 @@ struct PolygonRef {
   std::uint32_t polygon = 0;  ///< index in Cluster::polygons
 };
 
+/// A pane that a ray passes, and what is left of the light that comes from before and from behind
+/// it.
+struct PaneMet {
+  std::uint32_t polygon = RayScene::no_polygon;
+  bool front = false;  ///< the ray comes from its front
+  double distance_m = 0.0;
+  Passage before, behind;
+};
+
+/// Farther than anything.
+constexpr double far_away_m = 1e30;
+
 class ShaftTree;
 
-/// All polygons of the given clusters. Each has a global number: polygon k of cluster c is
+/// All polygons of the given clusters. Panes hide nothing: no question about what hides names one,
+/// and passage() tells what they let through. Each has a global number: polygon k of cluster c is
 /// global(c, k).
 class Occluders {
  public:
@@ -46,6 +60,22 @@ class Occluders {
                   std::uint32_t skip_a, std::uint32_t skip_b,
                   std::vector<std::uint32_t>& found) const;
   const Polygon& polygon(std::uint32_t global) const;
+  const Panes& panes() const { return panes_; }
+  /// Returns what passes from a to b, which may lie on the polygons skip_a and skip_b: by one ray
+  /// against walls and panes.
+  Passage passage(const Vec3& a, const Vec3& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                  RayStart start = RayStart::on_polygon) const;
+  /// Returns what the panes pass along a ray of this length, which no wall stops.
+  Passage dimmed(const Vec3& from, const Vec3& direction, double distance_m, std::uint32_t skip,
+                 RayStart start = RayStart::on_polygon) const;
+  /// Returns the panes that such a ray passes, nearest first, the backs of two-sided ones among
+  /// them.
+  std::vector<PaneMet> panes_along(const Vec3& from, const Vec3& direction, double distance_m,
+                                   std::uint32_t skip, RayStart start = RayStart::on_polygon) const;
+  /// Replaces `found` by the panes other than skip_a and skip_b that meet the convex hull of a and
+  /// b.
+  void panes_between(const Polygon& a, const Polygon& b, std::uint32_t skip_a, std::uint32_t skip_b,
+                     std::vector<std::uint32_t>& found) const;
   /// A point at most this far from a plane lies on the plane, for shafts and shadows.
   double tolerance_m() const { return 1e-7 * extent_m_; }
   /// True where it is certain that polygon `blocker` (convex) meets every segment between a and b.
@@ -60,6 +90,7 @@ class Occluders {
  private:
   std::vector<std::uint32_t> first_;
   std::vector<PolygonRef> refs_;
+  Panes panes_;
   RayScene rays_;
   std::unique_ptr<ShaftTree> shafts_;
   double extent_m_ = 0.0;

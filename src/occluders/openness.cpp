@@ -16,7 +16,7 @@ double enclosed_share(const ClusterState& cluster, const PatchNode& node, int ri
   // Where another polygon meets the patch's rim, a ray that starts on the rim would pass behind it.
   const double size_m = std::sqrt(node.shape.area_m2);
   const double inside = 1.0 - std::clamp(8.0 * occluders.rays().epsilon_m() / size_m, 1e-3, 0.5);
-  int ended = 0;
+  double ended = 0.0;
   for (int quarter = 0; quarter < 4; ++quarter) {
     for (int stratum = 0; stratum < rings * rings; ++stratum) {
       const Vec2 any = node.shape.point_in_quarter(quarter, random.uniform(), random.uniform());
@@ -26,8 +26,16 @@ double enclosed_share(const ClusterState& cluster, const PatchNode& node, int ri
       const Vec3 d = r * std::cos(phi) * frame.u + r * std::sin(phi) * frame.v +
                      std::sqrt(std::max(0.0, 1.0 - r * r)) * frame.n;
       ++work.rays;
-      const RayHit hit = occluders.rays().closest(frame.at(q), d, own);
-      if (hit.any() && hit.front && ends(occluders.local(hit.polygon))) ++ended;
+      const Vec3 x = frame.at(q);
+      const RayHit hit = occluders.rays().closest(x, d, own);
+      double passing = 1.0;
+      if (occluders.panes().any()) {
+        const auto met = occluders.panes_along(x, d, hit.any() ? hit.distance_m : far_away_m, own);
+        for (const PaneMet& pane : met)
+          ended += pane.front && ends(occluders.local(pane.polygon)) ? pane.before.share : 0.0;
+        if (!met.empty()) passing = met.back().behind.share;
+      }
+      if (hit.any() && hit.front && ends(occluders.local(hit.polygon))) ended += passing;
     }
   }
   return ended / (4.0 * rings * rings);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/random.hpp"
 #include "geometry/sampling.hpp"
@@ -11,6 +10,8 @@ namespace enfilade {
 namespace {
 
 constexpr int most_sweeps = 64;
+/// Of the share of the mean irradiance below which a polygon is a candidate, with a sky.
+constexpr double sky_share = 1e-3;
 /// Of the irradiance of all polygons, in one sweep: far below what decides.
 constexpr double converged_change = 1e-3;
 
@@ -95,7 +96,7 @@ void RoughSolution::emit(int rays) {
   }
   for (const LightSource& light : lights_) {
     Random random(size());
-    const double power = 4.0 * std::numbers::pi * largest(light.intensity) / rays;
+    const double power = power_per_intensity(light) * largest(light.intensity) / rays;
     for (int i = 0; i < rays; ++i) {
       const double r1 = (i + random.uniform()) / rays, r2 = random.uniform();
       const double r3 = light.opening.empty() ? 0.0 : random.uniform();
@@ -166,6 +167,8 @@ std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Clust
                                        const UnreachablePolygonsConfig& config) {
   RoughSolution rough(scene, clusters, occluders, work);
   const std::uint32_t n = rough.size();
+  // What the sky lights from outside says nothing of how dark a room may be.
+  const double share = scene.sky ? sky_share * config.share : config.share;
   std::vector<char> unreachable(n, 0);
   if (n == 0) return unreachable;
   rough.emit(std::max(config.more_rays, config.least_rays / static_cast<int>(n)));
@@ -174,7 +177,7 @@ std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Clust
   rough.solve();
   std::vector<std::uint32_t> candidates;
   for (std::uint32_t k = 0; k < n; ++k) {
-    if (rough.nearly_unlit(k, config.share)) candidates.push_back(k);
+    if (rough.nearly_unlit(k, share)) candidates.push_back(k);
   }
   if (candidates.empty()) return unreachable;
   const int more =
@@ -182,7 +185,8 @@ std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Clust
   for (const std::uint32_t k : candidates) rough.sample_row(k, more);
   rough.solve();
   for (const std::uint32_t k : candidates) {
-    unreachable[k] = rough.nearly_unlit(k, config.share) && !rough.sees_an_emitter(k) ? 1 : 0;
+    const bool unlit = rough.nearly_unlit(k, share) && !rough.sees_an_emitter(k);
+    unreachable[k] = unlit && !occluders.panes().contains(k) ? 1 : 0;  // rays pass through panes
   }
   return unreachable;
 }

@@ -38,6 +38,16 @@ std::vector<CellPiece> pieces_by_cell(std::span<const Piece> pieces, const CellC
   return all;
 }
 
+/// The walls: light passes through panes, so that they part no cells. All pieces where all are
+/// panes.
+std::vector<Piece> opaque_pieces(std::span<const Piece> pieces, const Scene& scene) {
+  std::vector<Piece> walls;
+  for (const Piece& piece : pieces) {
+    if (!scene.surfaces[piece.surface.index()].is_pane()) walls.push_back(piece);
+  }
+  return walls.empty() ? std::vector<Piece>(pieces.begin(), pieces.end()) : walls;
+}
+
 }  // namespace
 
 void find_visibility(Prepared& prepared, const VisibilityConfig& config, const Progress& progress) {
@@ -59,10 +69,11 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   const std::vector<Piece> pieces = make_pieces(p.scene, warnings, &report);
   p.covered_area_m2 = report.covered_area_m2;
   make_lights(p.scene);
+  survey_far_lights(p.scene);
   survey_light(p.scene, warnings);
   stopwatch.end_of("pieces");
   report_progress(progress, "cells", 0.1);
-  p.cells = build_cells(pieces, config.cells, leaks);
+  p.cells = build_cells(opaque_pieces(pieces, p.scene), config.cells, leaks);
   warn_of_leaks(leaks, warnings);
   std::vector<CellPiece> cell_pieces = pieces_by_cell(pieces, p.cells);
   stopwatch.end_of("cells");
@@ -72,6 +83,8 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
   report_progress(progress, "clusters", 0.5);
   p.clusters = build_clusters(p.scene, cell_pieces, config.clusters, dominant_frame(pieces));
   find_contacts(p.clusters, p.cells.tolerance_m(), config.contacts);
+  merge_equal_bands(p.scene);
+  set_panes(p.clusters, p.scene);
   stopwatch.end_of("clusters");
   p.has_visibility = false;
   if (config.cluster_graph) {
@@ -80,7 +93,6 @@ Prepared prepare_scene(const Scene& scene, const PrepareConfig& config, Warnings
     p.graph = neighbour_graph(BuildingTree(p.clusters));
   }
   stopwatch.end_of("visibility");
-  merge_equal_bands(p.scene);
   p.prepare_s = std::chrono::duration<double>(Clock::now() - start).count();
   p.warnings = warnings;
   return p;

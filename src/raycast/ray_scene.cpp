@@ -28,25 +28,103 @@ void skip_filter(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+/// The same, with the hits that a ray has had; none of them stops it.
+struct CrossingContext {
+  SkipContext skip;
+  std::vector<PaneCrossing>* found;
+};
+
+void note_crossing(const RTCFilterFunctionNArguments* args) {
+  const auto* context = reinterpret_cast<const CrossingContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    args->valid[i] = 0;
+    const std::uint32_t polygon =
+        context->skip.polygon_of_triangle[RTCHitN_primID(args->hit, args->N, i)];
+    if (polygon == context->skip.skip_a || polygon == context->skip.skip_b) continue;
+    // On the line between two triangles of a fan a ray meets both.
+    const auto same = [polygon](const PaneCrossing& c) { return c.polygon == polygon; };
+    if (std::any_of(context->found->begin(), context->found->end(), same)) continue;
+    context->found->push_back({polygon, RTCRayN_tfar(args->ray, args->N, i), 1.0});
+  }
+}
+
+/// Triangle fans of some of the polygons.
+struct Mesh {
+  RTCScene scene = nullptr;
+  std::vector<std::uint32_t> polygon_of_triangle;
+  void release() const {
+    if (scene != nullptr) rtcReleaseScene(scene);
+  }
+  void build(RTCDevice device, std::span<const Polygon> polygons,
+             const std::vector<std::uint32_t>& members, const Vec3& center, RTCFilterFunctionN met);
+};
+
+void Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
+                 const std::vector<std::uint32_t>& members, const Vec3& center,
+                 RTCFilterFunctionN met) {
+  std::size_t vertices = 0, triangles = 0;
+  for (const std::uint32_t k : members) {
+    vertices += polygons[k].size();
+    triangles += polygons[k].size() >= 3 ? polygons[k].size() - 2 : 0;
+  }
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  polygon_of_triangle.reserve(triangles);
+  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  if (triangles > 0) {
+    auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
+    if (xyz == nullptr || index == nullptr) throw RunError("not enough memory for the ray tracer");
+    std::uint32_t first = 0;
+    for (const std::uint32_t k : members) {
+      for (const Vec3& v : polygons[k]) {
+        const Vec3 q = v - center;
+        *xyz++ = static_cast<float>(q.x);
+        *xyz++ = static_cast<float>(q.y);
+        *xyz++ = static_cast<float>(q.z);
+      }
+      const auto n = static_cast<std::uint32_t>(polygons[k].size());
+      for (std::uint32_t i = 2; i < n; ++i) {
+        *index++ = first;
+        *index++ = first + i - 1;
+        *index++ = first + i;
+        polygon_of_triangle.push_back(k);
+      }
+      first += n;
+    }
+  }
+  rtcSetGeometryIntersectFilterFunction(mesh, met);
+  rtcSetGeometryOccludedFilterFunction(mesh, met);
+  rtcCommitGeometry(mesh);
+  rtcAttachGeometry(scene, mesh);
+  rtcReleaseGeometry(mesh);
+  rtcCommitScene(scene);
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw RunError("the ray tracer cannot be built");
+}
+
 }  // namespace
 
 struct RayScene::Impl {
   RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  Mesh walls, panes;
   Vec3 center{0.0};
   float epsilon = 0.0f;
-  std::vector<std::uint32_t> polygon_of_triangle;
   std::vector<Vec3> normals;
 
   ~Impl() {
-    if (scene != nullptr) rtcReleaseScene(scene);
+    walls.release();
+    panes.release();
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
   SkipContext context(std::uint32_t skip_a, std::uint32_t skip_b) const {
     SkipContext c;
     rtcInitIntersectContext(&c.embree);
-    c.polygon_of_triangle = polygon_of_triangle.data();
+    c.polygon_of_triangle = walls.polygon_of_triangle.data();
     c.skip_a = skip_a;
     c.skip_b = skip_b;
     return c;
@@ -68,67 +146,32 @@ struct RayScene::Impl {
   }
 
   double near_m(RayStart start) const { return start == RayStart::in_air ? 0.0 : epsilon; }
-  void build(std::span<const Polygon> polygons);
+  void build(std::span<const Polygon> polygons, std::span<const char> is_pane);
   RayHit closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip, double near_m,
                  double far_m) const;
 };
 
-void RayScene::Impl::build(std::span<const Polygon> polygons) {
+void RayScene::Impl::build(std::span<const Polygon> polygons, std::span<const char> is_pane) {
   Box box;
-  std::size_t vertices = 0, triangles = 0;
-  for (const Polygon& p : polygons) {
-    for (const Vec3& v : p) box.add(v);
-    vertices += p.size();
-    triangles += p.size() >= 3 ? p.size() - 2 : 0;
+  std::vector<std::uint32_t> opaque, passing;
+  normals.reserve(polygons.size());
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    for (const Vec3& v : polygons[k]) box.add(v);
+    normals.push_back(normal(polygons[k]));
+    (!is_pane.empty() && is_pane[k] != 0 ? passing : opaque).push_back(k);
   }
   center = box.empty() ? Vec3(0.0) : box.center();
   // A float's step at half the diagonal is 6e-8 of it; an intersection is good to a few such steps.
   epsilon = static_cast<float>(1e-6 * std::max(box.diagonal(), 1e-30));
-
   device = rtcNewDevice("threads=1,set_affinity=0");
   if (device == nullptr) throw RunError("Embree cannot start");
-  scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-  normals.reserve(polygons.size());
-  polygon_of_triangle.reserve(triangles);
-  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  if (triangles > 0) {
-    auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
-    if (xyz == nullptr || index == nullptr) throw RunError("not enough memory for the ray tracer");
-    std::uint32_t first = 0;
-    for (std::size_t k = 0; k < polygons.size(); ++k) {
-      for (const Vec3& v : polygons[k]) {
-        const Vec3 q = v - center;
-        *xyz++ = static_cast<float>(q.x);
-        *xyz++ = static_cast<float>(q.y);
-        *xyz++ = static_cast<float>(q.z);
-      }
-      const auto n = static_cast<std::uint32_t>(polygons[k].size());
-      for (std::uint32_t i = 2; i < n; ++i) {
-        *index++ = first;
-        *index++ = first + i - 1;
-        *index++ = first + i;
-        polygon_of_triangle.push_back(static_cast<std::uint32_t>(k));
-      }
-      first += n;
-      normals.push_back(normal(polygons[k]));
-    }
-  }
-  rtcSetGeometryIntersectFilterFunction(mesh, skip_filter);
-  rtcSetGeometryOccludedFilterFunction(mesh, skip_filter);
-  rtcCommitGeometry(mesh);
-  rtcAttachGeometry(scene, mesh);
-  rtcReleaseGeometry(mesh);
-  rtcCommitScene(scene);
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw RunError("the ray tracer cannot be built");
+  walls.build(device, polygons, opaque, center, skip_filter);
+  if (!passing.empty()) panes.build(device, polygons, passing, center, note_crossing);
 }
 
-RayScene::RayScene(std::span<const Polygon> polygons) : impl_(std::make_unique<Impl>()) {
-  impl_->build(polygons);
+RayScene::RayScene(std::span<const Polygon> polygons, std::span<const char> panes)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->build(polygons, panes);
 }
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
@@ -142,7 +185,7 @@ bool RayScene::occluded(const Vec3& a, const Vec3& b, std::uint32_t skip_a, std:
   if (length <= 2.0 * epsilon) return false;
   RTCRay ray = impl_->ray(a, d / length, impl_->near_m(start), length - epsilon);
   SkipContext context = impl_->context(skip_a, skip_b);
-  rtcOccluded1(impl_->scene, &context.embree, &ray);
+  rtcOccluded1(impl_->walls.scene, &context.embree, &ray);
   return ray.tfar < 0.0f;
 }
 
@@ -153,10 +196,10 @@ RayHit RayScene::Impl::closest(const Vec3& from, const Vec3& unit_direction, std
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   SkipContext skipping = context(skip, skip);
-  rtcIntersect1(scene, &skipping.embree, &query);
+  rtcIntersect1(walls.scene, &skipping.embree, &query);
   RayHit hit;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.polygon = polygon_of_triangle[query.hit.primID];
+  hit.polygon = walls.polygon_of_triangle[query.hit.primID];
   hit.distance_m = query.ray.tfar;
   hit.front = glm::dot(unit_direction, normals[hit.polygon]) < 0.0;
   return hit;
@@ -194,12 +237,35 @@ void RayScene::closest(std::span<const Ray> rays, std::span<RayHit> hits, RaySta
   }
 }
 
+bool RayScene::has_panes() const { return impl_->panes.scene != nullptr; }
+
+void RayScene::crossings(const Vec3& from, const Vec3& direction, double max_distance_m,
+                         std::uint32_t skip_a, std::uint32_t skip_b, RayStart start,
+                         std::vector<PaneCrossing>& found) const {
+  found.clear();
+  if (!has_panes()) return;
+  const Vec3 d = glm::normalize(direction);
+  CrossingContext context{impl_->context(skip_a, skip_b), &found};
+  context.skip.polygon_of_triangle = impl_->panes.polygon_of_triangle.data();
+  RTCRayHit query{};
+  query.ray = impl_->ray(from, d, impl_->near_m(start), max_distance_m);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(impl_->panes.scene, &context.skip.embree, &query);
+  for (PaneCrossing& c : found) c.cosine = -glm::dot(d, impl_->normals[c.polygon]);
+  std::sort(found.begin(), found.end(), [](const PaneCrossing& a, const PaneCrossing& b) {
+    return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.polygon < b.polygon;
+  });
+}
+
 double RayScene::epsilon_m() const { return impl_->epsilon; }
 
 std::size_t RayScene::bytes() const {
   // Embree's BVH takes about 100 bytes a triangle beside the vertices (measured with its memory
   // monitor).
-  return impl_->polygon_of_triangle.size() * (100 + 12 + 36) + impl_->normals.size() * sizeof(Vec3);
+  const std::size_t triangles =
+      impl_->walls.polygon_of_triangle.size() + impl_->panes.polygon_of_triangle.size();
+  return triangles * (100 + 12 + 36) + impl_->normals.size() * sizeof(Vec3);
 }
 
 }  // namespace enfilade

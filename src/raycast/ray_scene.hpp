@@ -19,6 +19,14 @@ struct RayHit {
   bool any() const { return polygon != 0xFFFFFFFFu; }
 };
 
+/// A pane that a ray passes.
+struct PaneCrossing {
+  std::uint32_t polygon = 0xFFFFFFFFu;  ///< index into the polygons given
+  double distance_m = 0.0;
+  double cosine = 1.0;  ///< between the ray and the pane's normal, against each other: above 0
+                        ///< where the ray comes from its front
+};
+
 /// Where a ray begins: on a polygon, with others perhaps in the same place, or in the air (lifted
 /// off by twice `epsilon_m()`), where all that lies ahead counts, however near.
 enum class RayStart { on_polygon, in_air };
@@ -44,7 +52,9 @@ class RayScene {
   };
 
   /// Throws RunError where Embree cannot start or lacks memory.
-  explicit RayScene(std::span<const Polygon> polygons);
+  /// `panes`: 1 for each polygon that light passes: rays meet those in crossings() alone. Empty:
+  /// there are none.
+  explicit RayScene(std::span<const Polygon> polygons, std::span<const char> panes = {});
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
@@ -64,6 +74,14 @@ class RayScene {
   /// The first hit of each ray; both spans have the same size.
   void closest(std::span<const Ray> rays, std::span<RayHit> hits,
                RayStart start = RayStart::on_polygon) const;
+
+  /// True where there are panes.
+  bool has_panes() const;
+  /// Replaces `found` by the panes that a ray passes within max_distance_m, nearest first, other
+  /// than those numbered skip_a and skip_b.
+  void crossings(const Vec3& from, const Vec3& direction, double max_distance_m,
+                 std::uint32_t skip_a, std::uint32_t skip_b, RayStart start,
+                 std::vector<PaneCrossing>& found) const;
 
   /// Rays are blind this close to an end on a polygon: about the single-precision step at the
   /// scene's extent.

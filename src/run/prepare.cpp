@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/memory_wanted.hpp"
 #include "base/posix_file.hpp"
+#include "light_survey/light_survey.hpp"
 #include "run/leak_file.hpp"
 #include "run/run_layout.hpp"
 #include "run/run_mark.hpp"
@@ -187,6 +188,7 @@ Prepared load_prepared(const std::string& run_directory) {
                        run_directory + "/scene.json", told_before);
   p.scene.text = {};
   make_lights(p.scene);
+  survey_far_lights(p.scene);
   merge_equal_bands(p.scene);
   p.scene.hash = mark.scene_hash;
   p.preparation = mark.preparation();

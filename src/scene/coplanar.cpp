@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "geometry/box_tree.hpp"
 #include "geometry/clip.hpp"
@@ -18,7 +19,7 @@ bool emits(const Surface& surface) {
 }
 
 /// What the pieces of one surface look like, to compare with others.
-using Material = std::pair<Spectrum, Spectrum>;
+using Material = std::tuple<Spectrum, Spectrum, Spectrum>;
 
 class Covers {
  public:
@@ -37,7 +38,7 @@ class Covers {
   void drop_duplicates() {
     std::map<Material, Pile> kept;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      Pile& pile = kept[{surface(i).reflectance, surface(i).exitance}];
+      Pile& pile = kept[{surface(i).reflectance, surface(i).exitance, surface(i).transmittance}];
       const auto near = pile.touching(boxes_[i], scale_.coplanar());
       covered_.duplicate[i] =
           std::any_of(near.begin(), near.end(), [&](auto j) { return same_outline(i, j); });
@@ -74,7 +75,8 @@ class Covers {
     }
     std::vector<Piece> remaining;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      for (Polygon& part : left[i]) remaining.push_back({pieces_[i].surface, std::move(part)});
+      for (Polygon& part : left[i])
+        remaining.push_back({pieces_[i].surface, std::move(part), pieces_[i].reversed});
     }
     return remaining;
   }

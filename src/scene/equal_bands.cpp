@@ -7,9 +7,11 @@ namespace {
 
 bool are_alike(const Scene& scene, std::size_t a, std::size_t b) {
   const auto same = [a, b](const Spectrum& values) { return values[a] == values[b]; };
-  return std::ranges::all_of(
-             scene.surfaces,
-             [&](const Surface& s) { return same(s.reflectance) && same(s.exitance); }) &&
+  return std::ranges::all_of(scene.surfaces,
+                             [&](const Surface& s) {
+                               return same(s.reflectance) && same(s.exitance) &&
+                                      (!s.is_pane() || same(s.transmittance));
+                             }) &&
          std::ranges::all_of(scene.lights,
                              [&](const LightSource& light) { return same(light.intensity); });
 }
@@ -38,8 +40,14 @@ void merge_equal_bands(Scene& scene) {
   for (Surface& s : scene.surfaces) {
     s.reflectance = pick(s.reflectance, kept);
     s.exitance = pick(s.exitance, kept);
+    if (s.is_pane()) s.transmittance = pick(s.transmittance, kept);
   }
   for (LightSource& light : scene.lights) light.intensity = pick(light.intensity, kept);
+  if (!scene.sky) return;
+  for (Spectrum* of_sky : {&scene.sky->zenith_luminance, &scene.sky->sun_illuminance,
+                           &scene.sky->ground_reflectance}) {
+    if (!of_sky->empty()) *of_sky = pick(*of_sky, kept);
+  }
 }
 
 std::size_t bands_of_file(const Scene& scene) {

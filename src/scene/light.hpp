@@ -10,6 +10,7 @@
 #include "geometry/polygon.hpp"
 #include "photometry/intensity_distribution.hpp"
 #include "photometry/luminous_opening.hpp"
+#include "scene/sky.hpp"
 
 namespace enfilade {
 
@@ -50,7 +51,30 @@ struct LightSource {
   std::string name{};
   std::optional<SpotCone> cone{};  ///< of a spot light
   LuminousOpening shape{};         ///< of a luminaire: what `opening` is made of
+  /// Of each polygon of the opening, the share of the light; empty: by area.
+  std::vector<double> shares{};
+  /// Of the sky, the sun and the ground (scene/sky.hpp): their distance, and the radius of the ball
+  /// around the scene that they light; 0 of other lights.
+  double far_m = 0.0, reach_m = 0.0;
+  /// Of what a far light sends through that ball, the share that meets fronts
+  /// (survey_far_lights()).
+  double arriving = 1.0;
+  /// Of a dome of the sky: its luminance is `intensity` times this and sky->relative(direction).
+  std::shared_ptr<const Sky> sky{};
+  double luminance_per_intensity = 0.0;
+
+  bool is_far() const { return far_m > 0.0; }
+  /// Returns the share of a polygon of the opening in the light.
+  double share_of(std::size_t polygon) const;
 };
+
+/// Returns the power of a light per unit of its intensity (sr): 4 pi; of a far one what it sends
+/// through the ball around the scene.
+double power_per_intensity(const LightSource& light);
+/// The same, of a far light only what meets fronts.
+inline double sent_per_intensity(const LightSource& light) {
+  return light.arriving * power_per_intensity(light);
+}
 
 /// Returns the intensity towards w (of any length but 0), relative to the mean.
 double relative_intensity(const LightSource& light, const Vec3& w);

@@ -52,6 +52,7 @@ void make_lights(Scene& scene) {
     }
     scene.lights.push_back(std::move(light));
   }
+  make_sky_lights(scene);
 }
 
 }  // namespace enfilade

@@ -83,7 +83,8 @@ std::vector<Piece> make_pieces(const Scene& scene, Warnings& warnings, PieceRepo
     std::vector<Polygon> parts = parts_of(scene, id, scale, warnings, counts);
     for (const Polygon& part : parts) pieces.push_back({id, part});
     if (!scene.surfaces[s].two_sided) continue;
-    for (const Polygon& part : parts) pieces.push_back({id, Polygon(part.rbegin(), part.rend())});
+    for (const Polygon& part : parts)
+      pieces.push_back({id, Polygon(part.rbegin(), part.rend()), true});
   }
   if (pieces.empty()) {
     throw InputError(scene.file, "surfaces", "none has an area to speak of",

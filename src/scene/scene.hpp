@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct Surface {
   /// (Lambertian) surface. The exitance is the flux per area all the same.
   std::shared_ptr<const IntensityDistribution> distribution{};
   Vec3 up{0.0};  ///< of the distribution, about; 0 for any
+  /// Per band, of light that meets the surface at right angles; empty: opaque (scene/pane_law.hpp).
+  Spectrum transmittance{};
+
+  bool is_pane() const { return !transmittance.empty(); }
 };
 
 /// A place where irradiance is computed: on a plane through p with normal n.
@@ -48,6 +53,7 @@ struct Scene {
   ExitanceUnit unit = ExitanceUnit::watt_per_m2;
   std::vector<Surface> surfaces;
   std::vector<LightSource> lights;
+  std::optional<Sky> sky{};  ///< as the file has it; make_sky_lights() makes lights of it
   std::vector<Probe> probes;
   BuildingData building;   ///< rooms are read from scene files, the rest comes from importers
   std::uint64_t hash = 0;  ///< XXH64 of the file's bytes
@@ -59,6 +65,7 @@ struct Scene {
 struct Piece {
   SurfaceId surface;
   Polygon polygon;
+  bool reversed = false;  ///< of a two-sided surface's second set
 };
 
 struct PieceReport {

@@ -7,6 +7,9 @@
 namespace enfilade {
 namespace {
 
+/// Of a sum of two shares that are written with a few digits.
+constexpr double rounding = 1e-9;
+
 class Gate {
  public:
   explicit Gate(const Scene& scene) : scene_(scene) {}
@@ -28,6 +31,12 @@ class Gate {
         box.add(p);
       }
       light(surface.exitance, [&] { return label(scene_, SurfaceId(s)) + ".exitance"; });
+      for (std::size_t b = 0; b < surface.transmittance.size(); ++b) {
+        if (surface.transmittance[b] + surface.reflectance[b] > 1.0 + rounding)
+          refuse(label(scene_, SurfaceId(s)) + ".transmittance",
+                 {"and reflectance are more than 1 together",
+                  "a pane passes what it does not reflect: lower one of them"});
+      }
     }
     // A scene of one point has no area, which is told later, and is not too small.
     if (!box.empty() && box.diagonal() > 0.0 && box.diagonal() < limits::smallest_extent_m) {

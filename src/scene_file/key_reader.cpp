@@ -45,10 +45,13 @@ Spectrum KeyReader::spectrum(const nlohmann::json& value, const std::string& whe
     const auto place = [&] { return listed ? where + "[" + std::to_string(i) + "]" : where; };
     const double x = entry.is_number() ? entry.get<double>() : finite(entry, place());
     const bool share =
-        x >= 0.0 && x < high && high == 1.0;  // a reflectance may be as small as it likes
+        x >= 0.0 && x < high && high < 1.5;  // a reflectance may be as small as it likes
     if (const auto fault = limits::fault_of_light(x); fault && !share)
       fail(place(), "is " + shown(entry) + ", " + fault.what, fault.hint);
     if (x >= high) {
+      if (high > 1.0)
+        fail(place(), "is " + shown(entry) + ", outside [0, 1]",
+             "a pane passes at most all light: write 0 to 1");
       fail(place(), "is " + shown(entry) + ", outside [0, 1)",
            "a surface reflects less than all light: write 0 to 0.9999");
     }

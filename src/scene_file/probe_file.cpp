@@ -44,6 +44,8 @@ void write_probe_answers(const ProbeFile& source, const std::string& path,
   for (std::size_t i = 0; i < answers.size(); ++i) {
     probes[i]["E"] = answers[i].irradiance;
     probes[i]["error"] = answers[i].error;
+    if (!answers[i].daylight_factor.empty())
+      probes[i]["daylight_factor"] = answers[i].daylight_factor;
   }
   write_file_atomically(
       path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

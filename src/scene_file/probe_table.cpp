@@ -181,11 +181,13 @@ std::string probe_table(const ProbeFile& source, const std::vector<ProbeAnswer>&
   const ProbeTable made = source.table.columns.empty() ? table_of_json(source) : ProbeTable();
   const ProbeTable& table = source.table.columns.empty() ? made : source.table;
   const std::size_t bands = answers[0].irradiance.size();
-  std::string csv =
-      table.header + band_columns("E", bands) + band_columns("error", bands) + ",unit,from\n";
+  std::string csv = table.header + band_columns("E", bands) + band_columns("error", bands);
+  if (!answers[0].daylight_factor.empty()) csv += band_columns("daylight_factor", bands);
+  csv += ",unit,from\n";
   for (std::size_t i = 0; i < answers.size(); ++i) {
     csv += table.lines[i];
-    for (const Spectrum* light : {&answers[i].irradiance, &answers[i].error}) {
+    for (const Spectrum* light :
+         {&answers[i].irradiance, &answers[i].error, &answers[i].daylight_factor}) {
       for (const double value : *light) csv += fmt::format(",{:.9g}", value);
     }
     csv += "," + unit + "," + from + "\n";

@@ -1,6 +1,7 @@
 // Reads the JSON scene; the format is described in scenes/scene.schema.json.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "scene_file/light_reader.hpp"
 #include "scene_file/room_reader.hpp"
 #include "scene_file/scene_io.hpp"
+#include "scene_file/sky_reader.hpp"
 
 namespace enfilade {
 namespace {
@@ -20,10 +22,14 @@ using nlohmann::json;
 
 /// Keys of the top level. Those of the last two rows describe the building and where the model
 /// comes from; the solver has no use for them. Models are taken with z up, so "up" may say "z".
-constexpr std::array<std::string_view, 21> known_keys{
-    "distributions", "format", "version", "units",   "surfaces",    "lights",     "probes",
-    "exitanceUnits", "up",     "rooms",   "doors",   "portals",     "luminaires", "offset_m",
-    "tool",          "source", "licence", "license", "attribution", "copyright",  "author"};
+constexpr std::array<std::string_view, 22> known_keys{
+    "sky",     "distributions", "format",        "version", "units",  "surfaces",
+    "lights",  "probes",        "exitanceUnits", "up",      "rooms",  "doors",
+    "portals", "luminaires",    "offset_m",      "tool",    "source", "licence",
+    "license", "attribution",   "copyright",     "author"};
+
+/// The least number that is no transmittance.
+const double above_one = std::nextafter(1.0, 2.0);
 
 class SceneReader {
  public:
@@ -50,6 +56,12 @@ class SceneReader {
     }
     lights.read_lights(document, scene_);
     lights.read_luminaires(document, scene_);
+    if (document.contains("sky")) {
+      scene_.sky = read_sky(
+          keys_, document["sky"],
+          [this](const Spectrum& light, const std::string& where) { note_bands(light, where); },
+          unknown_);
+    }
     scene_.probes = keys_.probes(document, scale_, &unknown_);
     scene_.building.rooms = read_rooms(keys_, document, scale_, unknown_);
     broadcast();
@@ -109,6 +121,9 @@ class SceneReader {
         surface.exitance =
             keys_.spectrum(*it, where + ".exitance", std::numeric_limits<double>::infinity());
         note_bands(surface.exitance, where + ".exitance");
+      } else if (key == "transmittance") {
+        surface.transmittance = keys_.spectrum(*it, where + ".transmittance", above_one);
+        note_bands(surface.transmittance, where + ".transmittance");
       } else if (key == "object") {
         surface.object = keys_.text(*it, where + ".object");
       } else if (key == "two_sided") {
@@ -162,8 +177,15 @@ class SceneReader {
     for (Surface& surface : scene_.surfaces) {
       fill(surface.reflectance);
       fill(surface.exitance);
+      if (surface.is_pane()) fill(surface.transmittance);
+      if (std::ranges::all_of(surface.transmittance, [](double t) { return t <= 0.0; }))
+        surface.transmittance.clear();
     }
     for (LightSource& light : scene_.lights) fill(light.intensity);
+    if (!scene_.sky) return;
+    fill(scene_.sky->zenith_luminance);
+    if (!scene_.sky->sun_illuminance.empty()) fill(scene_.sky->sun_illuminance);
+    if (!scene_.sky->ground_reflectance.empty()) fill(scene_.sky->ground_reflectance);
   }
 
   void warn() {

@@ -59,6 +59,7 @@ void append_surface(std::string& text, const Surface& surface, DistributionNames
   append_spectrum(text, surface.reflectance);
   text += ",\"exitance\":";
   append_spectrum(text, surface.exitance);
+  if (surface.is_pane()) append_key(text, "transmittance", surface.transmittance);
   for (const auto& [key, value] :
        {std::pair<const char*, const std::string&>{",\"name\":", surface.name},
         {",\"object\":", surface.object}}) {

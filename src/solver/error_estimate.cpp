@@ -160,7 +160,8 @@ double sample_noise(const ErrorSampleSums& sums) {
   return worst(sums.light.size(), [&](std::size_t b) { return sample_noise(sums, b); });
 }
 
-ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces) {
+ErrorEstimate estimate_error(std::span<const IterationSummary> history,
+                             const SurfacesPower& surfaces) {
   ErrorEstimate estimate;
   if (history.empty()) {
     estimate.iteration = estimate.patches = estimate.iteration_bound = 1.0;
@@ -176,7 +177,7 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Sp
                             std::abs(unbalanced_share(figures, surfaces, b)) - estimate.iteration)
                  : 0.0;
   };
-  const std::size_t bands = std::min(surfaces.size(), figures.absorbed_power.size());
+  const std::size_t bands = std::min(surfaces.bands.size(), figures.absorbed_power.size());
   const auto seen_by_points = [&](std::size_t b) {
     return reflected_share(figures, b) *
            std::hypot(share_seen_together * local_error(history, b), all_over(b));

@@ -23,7 +23,8 @@ double contraction(std::span<const IterationSummary> history);
 /// Iterations: the series of the changes to come (§8), and its bound by contraction(). The last
 /// change alone, the paper's T, understates it by up to 1 / (1 - contraction).
 /// `surfaces`: surfaces_power() of energy_conservation.hpp.
-ErrorEstimate estimate_error(std::span<const IterationSummary> history, const Spectrum& surfaces);
+ErrorEstimate estimate_error(std::span<const IterationSummary> history,
+                             const SurfacesPower& surfaces);
 
 /// Returns the relative standard deviation of the reflected light that a point gathers: the
 /// estimate for gathered light is an L1 mean over all light, of which the reflected share alone is

@@ -30,12 +30,28 @@ Walls walls_of(const Scene& scene, std::span<const Cluster> clusters) {
   return walls;
 }
 
+/// A walk passes each pane by chance, by what the pane passes; false where one stops it.
+bool passes_panes(const Vec3& from, const Vec3& direction, std::uint32_t own, const RayHit& hit,
+                  const Walls& walls, const Occluders& occluders, Random& random,
+                  std::vector<double>& hits) {
+  const double length_m = hit.any() ? hit.distance_m : far_away_m;
+  for (const PaneMet& pane :
+       occluders.panes_along(from, direction, length_m, own, RayStart::in_air)) {
+    if (pane.front && walls.reflectance[pane.polygon] > 0.0) hits[pane.polygon] += 1.0;
+    if (random.uniform() * pane.before.share >= pane.behind.share) return false;
+  }
+  return true;
+}
+
 /// One walk: adds 1 for each polygon on whose front it arrives, until it is absorbed.
 void walk(Vec3 from, Vec3 direction, std::uint32_t own, const Walls& walls,
           const Occluders& occluders, Random& random, WorkCount& work, std::vector<double>& hits) {
   for (int bounces = 0; bounces < most_bounces; ++bounces) {
     ++work.rays;
     const RayHit hit = occluders.rays().closest(from, direction, own, 1e30, RayStart::in_air);
+    if (occluders.panes().any() &&
+        !passes_panes(from, direction, own, hit, walls, occluders, random, hits))
+      return;
     if (!hit.any() || !hit.front) return;
     hits[hit.polygon] += 1.0;
     if (random.uniform() >= walls.reflectance[hit.polygon]) return;

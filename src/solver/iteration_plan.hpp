@@ -86,9 +86,20 @@ struct PlanWeights {
   double sample_rays_times_target = 4.0, least_sample_rays = 64.0, most_sample_rays = 1024.0;
 };
 
+/// Power that surfaces emit.
+struct SurfacesPower {
+  Spectrum bands;
+  bool panes = false;  ///< the scene has panes, which take in an unknown part of it
+
+  SurfacesPower() = default;
+  SurfacesPower(Spectrum per_band, bool with_panes = false)
+      : bands(std::move(per_band)), panes(with_panes) {}
+  SurfacesPower(std::initializer_list<double> per_band) : bands(per_band) {}
+};
+
 struct PlanConfig {
   Spectrum emitted_power;
-  Spectrum surfaces_power;  ///< the part of emitted_power that surfaces emit
+  SurfacesPower surfaces_power;  ///< the part of emitted_power that surfaces emit
   double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
   double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;

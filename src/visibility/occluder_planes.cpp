@@ -20,7 +20,7 @@ double rounding(const Box& box) {
 
 }  // namespace
 
-OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
+OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons, std::span<const char> left_out) {
   Box box;
   for (const Polygon& p : polygons) box.add(bounds(p));
   if (box.empty()) return;
@@ -32,6 +32,7 @@ OccluderPlanes::OccluderPlanes(std::span<const Polygon> polygons) {
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     const Polygon& p = polygons[i];
     flat_.push_back(lies_in(p, plane_of(p), flat_m));
+    if (!left_out.empty() && left_out[i] != 0) continue;
     if (flat_.back()) {
       parts.push_back({SurfaceId(i), p});
       of.push_back(i);

@@ -15,7 +15,8 @@ namespace enfilade {
 /// may pass between two polygons that are put out of one plane by a millimetre.
 class OccluderPlanes {
  public:
-  explicit OccluderPlanes(std::span<const Polygon> polygons);
+  /// `left_out`: 1 for each polygon that hides nothing; empty: there are none.
+  explicit OccluderPlanes(std::span<const Polygon> polygons, std::span<const char> left_out = {});
 
   std::size_t size() const { return planes_.size(); }
   const Plane& plane(std::uint32_t k) const { return planes_[k].plane; }

@@ -19,6 +19,15 @@ std::vector<Polygon> all_polygons(std::span<const Cluster> clusters) {
   return polygons;
 }
 
+/// Panes hide nothing.
+std::vector<char> pane_flags(std::span<const Cluster> clusters) {
+  std::vector<char> flags;
+  for (const Cluster& cluster : clusters) {
+    for (const ClusterPolygon& p : cluster.polygons) flags.push_back(p.pane ? 1 : 0);
+  }
+  return flags;
+}
+
 using Halves = std::array<std::vector<LineSpacePart>, 2>;
 
 /// The parts behind the plane, then those in front of it. A part that lies in the plane is on the
@@ -96,8 +105,8 @@ Occlusion::Occlusion(std::span<const Cluster> clusters, double tolerance_m,
     : config_(config),
       tolerance_m_(tolerance_m),
       polygons_(all_polygons(clusters)),
-      planes_(polygons_),
-      rays_(polygons_) {
+      planes_(polygons_, pane_flags(clusters)),
+      rays_(polygons_, pane_flags(clusters)) {
   std::uint32_t next = 0;
   Box box;
   for (const Cluster& cluster : clusters) {

@@ -123,7 +123,8 @@ void run_factors(const FactorsOptions& options, const Console& console) {
   check_options(options);
   RunLock lock;
   lock.read(options.run);
-  const Prepared run = load_prepared(options.run);
+  Prepared run = load_prepared(options.run);
+  make_panes_opaque(run.clusters);
   const Occluders occluders(run.clusters);
   const ViewFactorGroups groups = groups_of(options, run, occluders);
   if (groups.names.size() > most_groups) {

@@ -1,6 +1,7 @@
 // enfilade info: the figures of a scene, of a run, or of a photometric file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <glm/gtc/constants.hpp>
 #include <set>
@@ -68,7 +69,7 @@ SceneFigures measure(const Scene& scene) {
   }
   for (const LightSource& light : scene.lights) {
     for (std::size_t band = 0; band < bands; ++band) {
-      figures.emitted[band] += 4.0 * glm::pi<double>() * light.intensity[band];
+      figures.emitted[band] += power_per_intensity(light) * light.intensity[band];
     }
   }
   return figures;
@@ -85,6 +86,11 @@ void add_lights(TextTable& table, const Scene& scene) {
   table.add("point lights", with_thousands(scene.lights.size() - spots - luminaires));
   if (spots > 0) table.add("spot lights", with_thousands(spots));
   if (luminaires > 0) table.add("luminaires", with_thousands(luminaires));
+  if (scene.sky) {
+    const Spectrum outside = in_bands_of_file(scene, scene.sky->horizontal(false));
+    table.add("sky", fmt::format("{:.4g} {} on a level plane outside", outside[0],
+                                 irradiance_label(scene.unit)));
+  }
 }
 
 void add_scene(TextTable& table, const Scene& scene) {
@@ -94,6 +100,8 @@ void add_scene(TextTable& table, const Scene& scene) {
   table.add("surfaces", with_thousands(scene.surfaces.size()));
   table.add("objects", with_thousands(figures.objects.size()));
   table.add("emitting surfaces", with_thousands(figures.emitting));
+  const auto panes = std::ranges::count_if(scene.surfaces, &Surface::is_pane);
+  if (panes > 0) table.add("panes", with_thousands(static_cast<std::uint64_t>(panes)));
   add_lights(table, scene);
   table.add("probes", with_thousands(scene.probes.size()));
   table.add("bands", std::to_string(bands_of_file(scene)));

@@ -4,6 +4,7 @@
 #include "app/frame/option_checks.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
+#include "app/outputs/daylight_factor.hpp"
 #include "app/outputs/solved_run.hpp"
 #include "scene_file/scene_io.hpp"
 
@@ -26,6 +27,7 @@ constexpr SubcommandText help_text{
 
 struct ProbeOptions {
   std::string run, points, output, from = "gather";
+  bool daylight_factor = false;
   PointGatherConfig gather;
 };
 
@@ -36,8 +38,9 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   RunLock lock;
   lock.read(options.run);
   const SolvedRun run(options.run, options.gather);
-  const ProbeAnswers found =
-      irradiance_at(run, probes, probe_method(options.from), console.progress());
+  ProbeAnswers found = irradiance_at(run, probes, probe_method(options.from), console.progress());
+  if (options.daylight_factor)
+    add_daylight_factors(options.run, run.prepared().scene, found.answers);
   write_probe_answers(points, options.output, found.answers, options.from,
                       run.prepared().scene.unit);
   TextTable table(options.output);
@@ -63,6 +66,9 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
          "gather: once more from all that the point sees; patches: read off the surface below it")
       ->check(CLI::IsMember({"gather", "patches"}))
       ->capture_default_str();
+  sub.add_flag("--daylight-factor", o.daylight_factor,
+               "Add the daylight factor, percent: E over that of an unobstructed horizontal plane "
+               "under the scene's sky; for scenes without lamps and without sunlight");
   sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere that tell what a point sees")
       ->check(CLI::Range(4, 100000000))
       ->capture_default_str();

@@ -140,7 +140,8 @@ BoundedRun bounded_run(const Prepared& prepared) {
       const Surface& surface = prepared.scene.surfaces[p.surface.index()];
       of_cell[cluster.cell.index()].push_back(
           static_cast<std::uint32_t>(run.scene.polygons.size()));
-      run.scene.polygons.push_back({p.polygon, surface.reflectance, surface.exitance});
+      run.scene.polygons.push_back(
+          {p.polygon, surface.reflectance, surface.exitance, surface.transmittance, p.pane});
       run.surface_of.push_back(p.surface);
     }
   }

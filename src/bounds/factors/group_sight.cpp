@@ -16,8 +16,9 @@ constexpr int most_walls = 4;
 
 }  // namespace
 
-GroupSight::GroupSight(std::span<const Polygon> polygons, double tolerance_m)
-    : polygons_(polygons), tolerance_m_(tolerance_m), rays_(polygons) {
+GroupSight::GroupSight(std::span<const Polygon> polygons, double tolerance_m,
+                       std::span<const char> panes)
+    : polygons_(polygons), tolerance_m_(tolerance_m), rays_(polygons, panes) {
   // Planes that round alike are one; where two of the same plane round apart, walls of it are tried
   // separately, and less is proved.
   std::map<std::array<std::int64_t, 4>, std::uint32_t> numbers;
@@ -38,7 +39,8 @@ GroupSight::GroupSight(std::span<const Polygon> polygons, double tolerance_m)
     const auto [at, is_new] =
         numbers.try_emplace(rounded, static_cast<std::uint32_t>(polygons_of_.size()));
     if (is_new) polygons_of_.emplace_back();
-    polygons_of_[at->second].push_back(static_cast<std::uint32_t>(plane_of_.size()));
+    if (panes.empty() || panes[plane_of_.size()] == 0)
+      polygons_of_[at->second].push_back(static_cast<std::uint32_t>(plane_of_.size()));
     plane_of_.push_back(at->second);
   }
 }

@@ -13,7 +13,9 @@ namespace enfilade {
 /// Proofs that walls hide things from each other. Rays only propose the walls.
 class GroupSight {
  public:
-  GroupSight(std::span<const Polygon> polygons, double tolerance_m);
+  /// `panes`: 1 for each polygon that hides nothing; empty: there are none.
+  GroupSight(std::span<const Polygon> polygons, double tolerance_m,
+             std::span<const char> panes = {});
 
   /// True where it is certain that no segment from the receiver to the hull of `corners` is free:
   /// one polygon, or polygons of one plane together, meet all of them. `skip`: the polygon that the

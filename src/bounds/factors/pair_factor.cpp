@@ -35,8 +35,24 @@ struct PairFactors::Pair {
   std::uint32_t viewer_polygon, target_polygon;
 };
 
-PairFactors::PairFactors(std::vector<Polygon> polygons, const PairFactorConfig& config)
-    : config_(config), tolerance_m_(1e-7 * extent_of(polygons)), tree_(std::move(polygons)) {}
+PairFactors::PairFactors(std::vector<Polygon> polygons, std::vector<char> panes,
+                         const PairFactorConfig& config)
+    : config_(config),
+      tolerance_m_(1e-7 * extent_of(polygons)),
+      panes_(std::move(panes)),
+      tree_(std::move(polygons)) {}
+
+PairFactors::Between PairFactors::sorted(std::span<const std::uint32_t> between) const {
+  Between found;
+  for (const bool panes : {false, true}) {
+    for (const std::uint32_t k : between) {
+      if (is_pane(k) != panes) continue;
+      found.polygons.push_back(&tree_.polygon(k));
+      found.panes += panes ? 1 : 0;
+    }
+  }
+  return found;
+}
 
 Range PairFactors::occluded_flux(const Pair& pair, const FlatShape& viewer,
                                  std::span<const std::uint32_t> among, double tolerance_m2,
@@ -46,10 +62,9 @@ Range PairFactors::occluded_flux(const Pair& pair, const FlatShape& viewer,
                    tolerance_m_, pair.viewer_polygon, pair.target_polygon, between);
   if (between.empty())
     return open_flux(viewer, pair.target, 0.25 * tolerance_m2, config_.near_depth);
-  std::vector<const Polygon*> occluders;
-  for (const std::uint32_t k : between) occluders.push_back(&tree_.polygon(k));
-  const SplitSight sight =
-      split_sight(viewer, pair.target.polygon, pair.target.plane, occluders, tolerance_m_);
+  const Between walls = sorted(between);
+  const SplitSight sight = split_sight(viewer, pair.target.polygon, pair.target.plane,
+                                       walls.polygons, tolerance_m_, walls.panes);
   Range flux;
   for (const Polygon& part : sight.seen) {
     const Range f = open_flux(viewer, FlatShape(part, pair.target.plane), 0.3 * tolerance_m2,
@@ -147,10 +162,9 @@ PairFactor PairFactors::operator()(const PatchOfPolygon& receiver, const PatchOf
   SplitSight sight;
   Range flux = open;
   if (!factor.open) {
-    std::vector<const Polygon*> occluders;
-    for (const std::uint32_t k : between) occluders.push_back(&tree_.polygon(k));
+    const Between walls = sorted(between);
     sight = many ? SplitSight{{}, {s.polygon}}
-                 : split_sight(r, s.polygon, s.plane, occluders, tolerance_m_);
+                 : split_sight(r, s.polygon, s.plane, walls.polygons, tolerance_m_, walls.panes);
     if (sight.seen.empty() && sight.unsure.empty()) return {};
     if (many) {
       flux.lo = 0.0;

@@ -48,7 +48,10 @@ struct PairFactorConfig {
 /// the scene's extent, touches.
 class PairFactors {
  public:
-  explicit PairFactors(std::vector<Polygon> polygons, const PairFactorConfig& config = {});
+  /// `panes`: 1 for each polygon that light passes, dimmed: behind one a factor's lower bound is 0.
+  /// Empty: there are none.
+  explicit PairFactors(std::vector<Polygon> polygons, std::vector<char> panes = {},
+                       const PairFactorConfig& config = {});
 
   /// Bounds from the receiver to the shooter. `known_open`: nothing stands between larger patches
   /// that hold these.
@@ -56,6 +59,7 @@ class PairFactors {
                         bool known_open) const;
   double tolerance_m() const { return tolerance_m_; }
   const ShaftTree& tree() const { return tree_; }
+  bool is_pane(std::uint32_t polygon) const { return !panes_.empty() && panes_[polygon] != 0; }
 
  private:
   struct Pair;
@@ -67,8 +71,16 @@ class PairFactors {
   void bound_spreads(const FlatShape& receiver, const FlatShape& shooter, const FlatShape& r,
                      const FlatShape& s, PairFactor& factor) const;
 
+  /// Polygons between two others: walls, then panes.
+  struct Between {
+    std::vector<const Polygon*> polygons;
+    std::size_t panes = 0;
+  };
+  Between sorted(std::span<const std::uint32_t> between) const;
+
   PairFactorConfig config_;
   double tolerance_m_ = 0.0;
+  std::vector<char> panes_;
   ShaftTree tree_;
 };
 

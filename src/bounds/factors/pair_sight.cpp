@@ -57,7 +57,7 @@ HalfSpaces umbra(const FlatShape& viewer, const Polygon& occluder, const Vec3& a
 
 /// One occluder's shadow, taken off what is seen and what is unsure.
 void cast_shadow(const FlatShape& viewer, const Plane& target_plane, const Polygon& whole_occluder,
-                 double tolerance_m, SplitSight& sight) {
+                 bool is_pane, double tolerance_m, SplitSight& sight) {
   Polygon occluder = whole_occluder;
   clip_front(occluder, viewer.plane, 0.0);
   if (!occluder.empty()) clip_front(occluder, target_plane, 0.0);
@@ -74,6 +74,7 @@ void cast_shadow(const FlatShape& viewer, const Plane& target_plane, const Polyg
   std::vector<Polygon> seen;
   for (const Polygon& part : sight.seen) cut_by(part, spaces, 0.0, sight.unsure, seen);
   sight.seen = std::move(seen);
+  if (is_pane) return;
   const HalfSpaces dark = umbra(viewer, occluder, away, tolerance_m);
   if (dark.empty()) return;
   std::vector<Polygon> hidden, unsure;
@@ -99,11 +100,12 @@ bool crossings(const Plane& plane, const std::vector<Vec3>& a, const std::vector
 
 SplitSight split_sight(const FlatShape& viewer, const Polygon& target, const Plane& target_plane,
                        const std::vector<const Polygon*>& occluders, double tolerance_m,
-                       std::size_t most_parts) {
+                       std::size_t panes, std::size_t most_parts) {
   SplitSight sight;
   sight.seen.push_back(target);
-  for (const Polygon* occluder : occluders) {
-    cast_shadow(viewer, target_plane, *occluder, tolerance_m, sight);
+  for (std::size_t i = 0; i < occluders.size(); ++i) {
+    const bool is_pane = i + panes >= occluders.size();
+    cast_shadow(viewer, target_plane, *occluders[i], is_pane, tolerance_m, sight);
     if (sight.seen.size() + sight.unsure.size() > most_parts) return {{}, {target}};
     if (sight.seen.empty() && sight.unsure.empty()) break;
   }

@@ -20,10 +20,11 @@ struct SplitSight {
 /// through its edges that touch the viewer) it hides nothing; inside the shadows that all of the
 /// viewer's corners cast (the umbra of a convex viewer) it hides all. An occluder that crosses the
 /// viewer's plane may hide anything. Where more than `most_parts` parts would be left, the target
-/// is unsure as a whole.
+/// is unsure as a whole. The last `panes` of the occluders are panes: what is seen through one may
+/// be dimmed, and is unsure; none hides anything.
 SplitSight split_sight(const FlatShape& viewer, const Polygon& target, const Plane& target_plane,
                        const std::vector<const Polygon*>& occluders, double tolerance_m,
-                       std::size_t most_parts = 48);
+                       std::size_t panes = 0, std::size_t most_parts = 48);
 
 /// True where it is certain that `wall` (convex) meets every segment between a point of the convex
 /// hull of `a` and one of `b`: all of these cross its plane within the hull of the crossings

@@ -17,6 +17,8 @@ namespace enfilade {
 struct BoundPolygon {
   Polygon polygon;
   Spectrum reflectance, exitance;  ///< per band
+  Spectrum transmittance{};        ///< of a pane, at most, per band; empty: opaque
+  bool pane = false;               ///< hides nothing; the back of one has no transmittance
 };
 
 struct BoundScene {

@@ -78,14 +78,18 @@ BoundState::BoundState(const BoundScene& scene, int threads)
     : scene_(scene),
       threads_(threads),
       polygons_(polygons_of(scene)),
-      factors_(polygons_),
-      groups_(polygons_, factors_.tolerance_m()),
+      panes_(scene),
+      factors_(polygons_, panes_.flags()),
+      groups_(polygons_, factors_.tolerance_m(), panes_.flags()),
       tree_(polygons_) {
   std::vector<Vec3> lights;
   for (const LightSource& light : scene.lights) lights.push_back(light.p);
   ClosedFronts fronts = closed_fronts(polygons_, lights, factors_.tolerance_m());
   closed_ = std::move(fronts.polygons);
+  // Light that passes a pane is dimmed: no row sums to 1.
+  if (panes_.any()) std::fill(closed_.begin(), closed_.end(), 0);
   lights_enclosed_ =
+      !panes_.any() &&
       std::all_of(fronts.points.begin(), fronts.points.end(), [](char c) { return c; }) &&
       std::all_of(scene.lights.begin(), scene.lights.end(),
                   [](const LightSource& light) { return light.opening.empty(); });
@@ -130,30 +134,10 @@ void BoundState::set_direct(Receiver& receiver) const {
   }
 }
 
-/// No radiosity exceeds the largest M + rho D over 1 - the largest rho, D the direct light.
-void BoundState::start_with_global_bounds() {
-  irradiance_.assign(tree_.size() * scene_.bands, {});
-  radiosity_.assign(tree_.size() * scene_.bands, {});
-  for (std::size_t band = 0; band < scene_.bands; ++band) {
-    double source = 0.0, reflectance = 0.0;
-    for (const Receiver& r : receivers_) {
-      const BoundPolygon& p = scene_.polygons[tree_[r.node].polygon];
-      source =
-          std::max(source, p.exitance[band] + p.reflectance[band] * r.direct[band].at_points.hi);
-      reflectance = std::max(reflectance, p.reflectance[band]);
-    }
-    const double most = source / (1.0 - reflectance);
-    for (const Receiver& r : receivers_) {
-      const double e = most + r.direct[band].at_points.hi;
-      irradiance_[r.node * scene_.bands + band] = {{0.0, e}, {0.0, e}, 0.5 * e};
-    }
-  }
-  pull();
-}
-
 PairFactor BoundState::factor(std::uint32_t leaf, std::uint32_t shooter, bool known_open) const {
   const BoundNode &receiver = tree_[leaf], &from = tree_[shooter];
   if (from.polygon == receiver.polygon) return {};
+  if (!from.is_group() && panes_.is_dark(from.polygon)) return {};
   PairFactor none;
   const double most = GroupSight::most_factor(receiver.shape, from.box);
   if (most <= 0.0) return none;
@@ -168,8 +152,9 @@ PairFactor BoundState::factor(std::uint32_t leaf, std::uint32_t shooter, bool kn
   if (!from.is_group())
     return factors_({receiver.shape, receiver.polygon}, {from.shape, from.polygon}, known_open);
   PairFactor group;
-  group.mean = {0.0, most};
-  group.at_points = {0.5 * most, Vec3(0.0), 0.5 * most};
+  const double all = panes_.most_sum() * most;
+  group.mean = {0.0, all};
+  group.at_points = {0.5 * all, Vec3(0.0), 0.5 * all};
   group.mean_spread = group.point_spread = 1e300;  // its mean says nothing of what is seen of it
   return group;
 }
@@ -210,8 +195,14 @@ std::vector<LightRange> BoundState::step_of_all_rows(double step) {
     Receiver& r = receivers_[i];
     const BoundNode& node = tree_[r.node];
     for (std::size_t band = 0; band < bands; ++band) {
-      const BoundRow row{
-          r.links, r.walls, radiosity_, bands, band, node.shape.radius_m, closed(node.polygon)};
+      const BoundRow row{r.links,
+                         r.walls,
+                         radiosity_,
+                         bands,
+                         band,
+                         node.shape.radius_m,
+                         closed(node.polygon),
+                         panes_.most_sum()};
       LightRange e = bound_row(row, step, r.references[band]);
       const LightRange& direct = r.direct[band];
       e.mean.lo += direct.mean.lo;

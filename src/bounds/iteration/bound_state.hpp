@@ -7,6 +7,7 @@
 #include "bounds/factors/group_sight.hpp"
 #include "bounds/factors/pair_factor.hpp"
 #include "bounds/iteration/bound_irradiance.hpp"
+#include "bounds/iteration/bound_panes.hpp"
 #include "bounds/iteration/bound_tree.hpp"
 #include "bounds/iteration/row_bounds.hpp"
 
@@ -70,6 +71,7 @@ class BoundState {
   const BoundScene& scene_;
   int threads_;
   std::vector<Polygon> polygons_;
+  BoundPanes panes_;
   PairFactors factors_;
   GroupSight groups_;
   BoundTree tree_;

@@ -86,10 +86,16 @@ LightRange direct_bounds(const Vec3& light, const PatchOfPolygon& receiver,
   const Polygon source{light};
   scene.tree().find(shaft_between(shape.polygon, source, scene.tolerance_m()), scene.tolerance_m(),
                     receiver.polygon, no_occluder, most_occluders, between);
-  VisibleParts parts;
+  VisibleParts parts, undimmed;
   parts.begin(light, shape.polygon, scene.tolerance_m());
   bool known = between.size() <= most_occluders;
-  for (const std::uint32_t k : between) known = known && parts.hide(scene.tree().polygon(k), 500);
+  for (const std::uint32_t k : between) {
+    if (!scene.is_pane(k)) known = known && parts.hide(scene.tree().polygon(k), 500);
+  }
+  undimmed = parts;
+  for (const std::uint32_t k : between) {
+    if (scene.is_pane(k)) known = known && undimmed.hide(scene.tree().polygon(k), 500);
+  }
   if (known && parts.empty()) return {};
   const Range s = squared_distances(light, shape);
   LightRange e;
@@ -102,9 +108,12 @@ LightRange direct_bounds(const Vec3& light, const PatchOfPolygon& receiver,
       const FlatShape part(Polygon(parts[i].begin(), parts[i].end()), shape.plane);
       if (part.area_m2 <= 0.0) continue;
       const Range f = integral(light, part, 8);
-      e.mean.lo += height * f.lo / shape.area_m2;
       e.mean.hi += height * f.hi / shape.area_m2;
     }
+  }
+  for (std::size_t i = 0; i < undimmed.size() && known; ++i) {
+    const FlatShape part(Polygon(undimmed[i].begin(), undimmed[i].end()), shape.plane);
+    if (part.area_m2 > 0.0) e.mean.lo += height * integral(light, part, 8).lo / shape.area_m2;
   }
   e.mean.hi = std::min(e.mean.hi, e.at_points.hi);
   return e;

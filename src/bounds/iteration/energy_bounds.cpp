@@ -1,9 +1,19 @@
 #include "bounds/iteration/energy_bounds.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace enfilade {
+
+namespace {
+
+/// What a polygon absorbs of the light on its front, at least: a pane passes at most its
+/// transmittance.
+double kept_share(const BoundPolygon& polygon, std::size_t band) {
+  const double passes = polygon.transmittance.empty() ? 0.0 : polygon.transmittance[band];
+  return std::max(0.0, 1.0 - polygon.reflectance[band] - passes);
+}
+
+}  // namespace
 
 EnergyBounds::EnergyBounds(const BoundScene& scene, std::vector<double> areas_m2, bool closed)
     : scene_(scene), areas_m2_(std::move(areas_m2)), closed_(closed), power_(scene.bands, 0.0) {
@@ -11,12 +21,12 @@ EnergyBounds::EnergyBounds(const BoundScene& scene, std::vector<double> areas_m2
     for (std::size_t k = 0; k < scene.polygons.size(); ++k)
       power_[band] += areas_m2_[k] * scene.polygons[k].exitance[band];
     for (const LightSource& light : scene.lights)
-      power_[band] += 4.0 * std::numbers::pi * light.intensity[band];
+      power_[band] += power_per_intensity(light) * light.intensity[band];
   }
 }
 
 double EnergyBounds::absorbed(std::size_t polygon, std::size_t band) const {
-  return areas_m2_[polygon] * (1.0 - scene_.polygons[polygon].reflectance[band]);
+  return areas_m2_[polygon] * kept_share(scene_.polygons[polygon], band);
 }
 
 void EnergyBounds::narrow(std::vector<std::vector<Range>>& polygons) const {
@@ -43,12 +53,15 @@ double EnergyBounds::most(std::span<const std::uint32_t> set, std::size_t band,
                           const std::vector<std::vector<Range>>& polygons, double spare) const {
   std::vector<std::uint32_t> order(set.begin(), set.end());
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return scene_.polygons[a].reflectance[band] > scene_.polygons[b].reflectance[band];
+    return kept_share(scene_.polygons[a], band) < kept_share(scene_.polygons[b], band);
   });
   double sum = 0.0;
   for (const std::uint32_t k : order) {
     const double want = absorbed(k, band) * polygons[k][band].width();
-    if (want <= 0.0) continue;
+    if (want <= 0.0) {  // takes nothing from the spare power
+      sum += areas_m2_[k] * polygons[k][band].width();
+      continue;
+    }
     const double given = std::clamp(spare / want, 0.0, 1.0);
     sum += given * areas_m2_[k] * polygons[k][band].width();
     spare -= given * want;

@@ -57,7 +57,7 @@ class MeanBound {
     }
   }
   double operator()(double reference) const {
-    double sum = reference;
+    double sum = row_.most * reference;
     std::size_t done = 0;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       const BoundWall& wall = row_.walls[w];
@@ -167,7 +167,7 @@ class PointBound {
       done = wall.end;
     }
     sum.add(over(done, terms_.size(), reference));
-    return reference + bound(sum) + sign_ * glm::length(sum.gradient) * row_.radius_m;
+    return row_.most * reference + bound(sum) + sign_ * glm::length(sum.gradient) * row_.radius_m;
   }
 
  private:

@@ -43,7 +43,9 @@ struct BoundRow {
   std::span<const LightRange> radiosity{};  ///< of node k in the row's band: [k * bands + band]
   std::size_t bands = 1, band = 0;
   double radius_m = 0.0;  ///< of the receiver
-  bool closed = false;    ///< the form factors from each point sum to 1; else to at most 1
+  bool closed = false;    ///< the form factors from each point sum to 1; else to at most `most`
+  /// 1; more where a pane that sends light and what is seen through it both count.
+  double most = 1.0;
   const LightRange& light(const BoundLink& link) const {
     return radiosity[link.shooter * bands + band];
   }

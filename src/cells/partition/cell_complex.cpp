@@ -87,7 +87,7 @@ std::vector<CellPiece> CellComplex::cut(const Piece& piece) const {
     const BspNode& node = nodes_[job.node];
     if (node.front < 0) {
       one_cell = one_cell && (parts.empty() || parts.front().cell == node.cell);
-      parts.push_back({node.cell, {piece.surface, std::move(job.polygon)}});
+      parts.push_back({node.cell, {piece.surface, std::move(job.polygon), piece.reversed}});
       continue;
     }
     const auto front = static_cast<std::size_t>(node.front);

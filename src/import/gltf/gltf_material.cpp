@@ -28,6 +28,12 @@ ModelMaterial GltfMaterials::material(std::optional<std::size_t> index, const Sp
   }
   for (std::size_t i = 0; i < 3; ++i) entry.colour[i] *= colour[i];
   entry.material.reflectance = reflectance_of(entry.colour, where, warnings_);
+  if (entry.passing <= 0.0) return entry.material;
+  // What passes has the base colour, as what is reflected; both share the light.
+  for (double& band : entry.material.reflectance) {
+    entry.material.transmittance.push_back(entry.passing * band);
+    band *= 1.0 - entry.passing;
+  }
   return entry.material;
 }
 
@@ -41,9 +47,8 @@ const GltfMaterials::Entry& GltfMaterials::read(std::size_t index, const std::st
   double alpha = 1.0;
   read_colours(source, entry, alpha, where);
   read_emission(source, entry, where);
-  const double passing = transmission(source, where);
-  entry.material.open = passing > 0.5 || !opaque(source, alpha, where);
-  for (double& band : entry.colour) band *= 1.0 - passing;
+  entry.passing = transmission(source, where);
+  entry.material.open = !opaque(source, alpha, where);
   const auto sides = source.find("doubleSided");
   entry.material.two_sided = sides != source.end() && *sides == true;
   return read_.emplace(index, std::move(entry)).first->second;
@@ -85,8 +90,6 @@ double GltfMaterials::transmission(const Json& source, const std::string& where)
   double passing = document_.real(*given, "transmissionFactor", 0.0, where);
   if (const std::optional<TextureMean> mean = texture(*given, "transmissionTexture", where))
     passing *= mean->linear[0];
-  if (passing > 0.0 && passing <= 0.5)
-    warnings_.add(where, "transmission of half the light or less: taken as opaque");
   return std::clamp(passing, 0.0, 1.0);
 }
 

@@ -13,8 +13,9 @@ namespace enfilade {
 
 /// Base (or diffuse) colour times the mean of its texture in linear light is the reflectance;
 /// emission, a luminance in cd/m2, times KHR_materials_emissive_strength makes an exitance of pi
-/// times that. Alpha counts as alphaMode says; what passes more than half of the light (alpha,
-/// KHR_materials_transmission) is open.
+/// times that. Alpha counts as alphaMode says; what passes more than half of the light by it is
+/// open. KHR_materials_transmission makes panes: each face passes its factor times the base colour,
+/// and reflects the rest of it.
 class GltfMaterials {
  public:
   GltfMaterials(GltfDocument& document, Warnings& warnings)
@@ -29,7 +30,8 @@ class GltfMaterials {
   using Json = GltfDocument::Json;
   struct Entry {
     ModelMaterial material;
-    Spectrum colour;  ///< base colour, before reflectance_of()
+    Spectrum colour;       ///< base colour, before reflectance_of()
+    double passing = 0.0;  ///< share of the light that passes, in the base colour
   };
 
   const Entry& read(std::size_t index, const std::string& user);

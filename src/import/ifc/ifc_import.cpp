@@ -160,18 +160,25 @@ class IfcReader {
     ModelMaterial material;
     const std::string where = in_quotes(element.at("name").get<std::string>());
     const Json& colour = part.at("colour");
+    double passing = 0.0;
     if (colour.is_null()) {
       warnings_.add(where, "has no colour: reflectance taken as 0.5");
     } else {
       material.reflectance = reflectance_of(
           {colour.at(0).get<double>(), colour.at(1).get<double>(), colour.at(2).get<double>()},
           where, warnings_);
-      material.open = colour.at(3).get<double>() < 0.5;
+      passing = 1.0 - std::clamp(colour.at(3).get<double>(), 0.0, 1.0);
     }
     if (element.contains("reflectance"))
       material.reflectance.assign(3, std::clamp(element["reflectance"].get<double>(), 0.0, 0.95));
-    if (element.contains("transmittance"))
-      material.open |= element["transmittance"].get<double>() > 0.5;
+    const bool told = element.contains("transmittance");
+    if (told && (passing > 0.0 || colour.is_null()))
+      passing = std::clamp(element["transmittance"].get<double>(), 0.0, 1.0);
+    // Light passes two faces of a body of glass.
+    if (passing > 0.0) {
+      material.transmittance.assign(3, std::sqrt(passing));
+      material.reflectance.assign(3, 0.0);
+    }
     return material;
   }
 

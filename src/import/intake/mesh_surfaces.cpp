@@ -60,6 +60,7 @@ void MeshSurfaces::add_surface(Polygon vertices, const ModelMesh& mesh,
   surface.vertices = std::move(vertices);
   surface.reflectance = material.reflectance;
   surface.exitance = material.exitance;
+  surface.transmittance = material.transmittance;
   surface.two_sided = material.two_sided;
   surface.name = mesh.name;
   surface.object = mesh.object;

@@ -17,7 +17,8 @@ struct ModelMaterial {
   Spectrum reflectance{0.5, 0.5, 0.5};
   Spectrum exitance{0.0, 0.0, 0.0};
   bool two_sided = false;
-  bool open = false;  ///< light passes: faces of it are left out
+  bool open = false;         ///< light passes: faces of it are left out
+  Spectrum transmittance{};  ///< of panes, per band; empty: opaque
 };
 
 /// Colours of 0.95 and more are white in models, and may absorb light: a reflectance lies below 1.

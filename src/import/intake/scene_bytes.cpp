@@ -124,6 +124,7 @@ void scene_parts(Stream& stream, SomeScene& scene) {
     stream.values(surface.vertices);
     stream.values(surface.reflectance);
     stream.values(surface.exitance);
+    stream.values(surface.transmittance);
     stream.text(surface.name);
     stream.text(surface.object);
     stream.distribution(surface.distribution);

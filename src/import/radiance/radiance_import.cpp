@@ -161,6 +161,7 @@ class RadianceReader {
     surface.vertices = std::move(polygon);
     surface.reflectance = material.reflectance;
     surface.exitance = material.exitance;
+    surface.transmittance = material.transmittance;
     if (material.distribution && material.emits())
       distribute(*material.distribution, linear, surface);
     surface.name = prefix.empty() ? shape.name : prefix + "." + shape.name;

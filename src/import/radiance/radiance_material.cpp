@@ -96,14 +96,9 @@ double transmittance_of(double transmissivity) {
 RadianceMaterial glass(const RadiancePrimitive& material) {
   if (material.numbers.size() < 3)
     material.place.fail(material.label() + " has fewer than 3 numbers", "write its transmissivity");
-  double passing = 0.0;
-  for (const double band : color(material)) passing += transmittance_of(std::min(band, 1.0)) / 3.0;
   RadianceMaterial result;
-  result.passes_light = passing > 0.5;
-  const std::string percent = std::to_string(std::lround(100.0 * passing)) + " %";
-  result.losses.push_back(
-      result.passes_light ? "glass of transmittance " + percent + ": left out, all light passes"
-                          : "glass of transmittance " + percent + ": taken as black and opaque");
+  for (const double band : color(material))
+    result.transmittance.push_back(transmittance_of(std::min(band, 1.0)));
   return result;
 }
 

@@ -13,6 +13,7 @@ namespace enfilade {
 struct RadianceMaterial {
   Spectrum reflectance{0.0, 0.0, 0.0};  ///< of both sides
   Spectrum exitance{0.0, 0.0, 0.0};     ///< W/m2, of the front alone
+  Spectrum transmittance{};             ///< of glass, at normal incidence; else empty
   bool passes_light = false;            ///< rays pass through it: shapes of it are left out
   /// How its light is distributed; null: as from a dull surface.
   std::shared_ptr<const RadianceDistribution> distribution{};

@@ -78,7 +78,8 @@ RadianceMaterial RadianceModifiers::mixture(const RadiancePrimitive& primitive) 
     Patterns ignored;
     const Link end = end_of(find(name, primitive), ignored);
     const RadianceMaterial part = end ? *modifiers_[*end].material : RadianceMaterial{};
-    if (!end || part.passes_light) {
+    const bool is_clear = !part.transmittance.empty() && part.transmittance[0] > 0.5;
+    if (!end || part.passes_light || is_clear) {
       open_share += weight;
       continue;
     }

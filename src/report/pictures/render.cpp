@@ -147,7 +147,10 @@ class Painter {
         skip = met.hit.polygon;
         continue;
       }
-      if (met.hit.front) add_light(met, turn, pixel, gathered);
+      Passage passage;
+      if (solved_.occluders.panes().any())
+        passage = add_panes(ray, met, skip, turn, pixel, gathered);
+      if (met.hit.front) add_light(met, passage, turn, pixel, gathered);
       pixel.cover += 1.0f;
       return met.hit.polygon;
     }
@@ -201,7 +204,25 @@ class Painter {
     return free > looks / 2;
   }
 
-  void add_light(const Met& met, double turn, LightImage::Pixel& pixel, Gathered& gathered) const {
+  /// Adds what the panes before what is seen send; returns what they pass.
+  Passage add_panes(const Ray& ray, const Met& met, std::uint32_t skip, double turn,
+                    LightImage::Pixel& pixel, Gathered& gathered) const {
+    Passage passage;
+    for (const PaneMet& pane :
+         solved_.occluders.panes_along(ray.from, ray.direction, met.hit.distance_m, skip)) {
+      passage = pane.behind;
+      if (!pane.front) continue;
+      const float behind = pixel.irradiance;  // that of what is seen through the pane counts
+      const Met at{{pane.polygon, pane.distance_m, true},
+                   ray.from + pane.distance_m * glm::normalize(ray.direction)};
+      add_light(at, pane.before, turn, pixel, gathered);
+      pixel.irradiance = behind;
+    }
+    return passage;
+  }
+
+  void add_light(const Met& met, const Passage& passage, double turn, LightImage::Pixel& pixel,
+                 Gathered& gathered) const {
     const PolygonRef ref = solved_.occluders.local(met.hit.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
@@ -214,7 +235,7 @@ class Painter {
     b = e;
     if (!gather_ && config_.smooth) smooth_irradiance(forest, ref.polygon, met.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
-      b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
+      b[i] = passage.band(i) * (frame.exitance[i] + frame.reflectance[i] * b[i]);
     e = in_bands_of_file(solved_.scene, e);
     const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
     for (std::size_t c = 0; c < 3; ++c)

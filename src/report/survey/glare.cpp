@@ -73,11 +73,11 @@ class Eye {
     }
     const Vec3 direction = glm::normalize(centroid(part) - place_.p);
     if (glm::dot(direction, place_.direction) <= 0.0) return;
-    int open = 0;
+    double open = 0.0;
     for (int i = 0; i < rays_of_part; ++i) {
       const Vec3 at =
           uniform_point(part, (i + random_.uniform()) / rays_of_part, random_.uniform());
-      open += !occluders_.rays().occluded(place_.p, at, RayScene::no_polygon, source.polygon);
+      open += occluders_.passage(place_.p, at, RayScene::no_polygon, source.polygon).share;
     }
     const double sr = whole_sr * open / rays_of_part;
     const double p = position_index(place_.direction, direction);

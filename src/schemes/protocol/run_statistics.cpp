@@ -98,12 +98,19 @@ void describe_iterations(RunRecord& record, const Scene& scene, const Spectrum& 
   record.set("iteration_error_bound", RunRecord::Value(error.iteration_bound));
   // flux_balance: emitted less absorbed power, zero in a closed scene. escaping_share: power that
   // the openness rays see escape. Both relative to the emitted power.
-  record.set("flux_balance", RunRecord::Value(largest_share(emitted, end.absorbed_power)));
-  Spectrum stays = emitted;
+  // Of the sky, the sun and the ground only what arrives is known.
+  Spectrum sent = emitted;
+  if (scene.sky) {
+    sent = surfaces_power(scene, emitted).bands;
+    for (std::size_t b = 0; b < std::min(sent.size(), end.direct_power.size()); ++b)
+      sent[b] += end.direct_power[b];
+  }
+  record.set("flux_balance", RunRecord::Value(largest_share(sent, end.absorbed_power)));
+  Spectrum stays = sent;
   for (std::size_t b = 0; b < std::min(stays.size(), end.escaping_power.size()); ++b) {
     stays[b] -= end.escaping_power[b];
   }
-  record.set("escaping_share", RunRecord::Value(largest_share(emitted, stays)));
+  record.set("escaping_share", RunRecord::Value(largest_share(sent, stays)));
   describe_rows(record, history);
   set_figures(record, all, InStats::total);
 }

@@ -23,7 +23,8 @@ Link some_link(std::uint32_t i) {
 TEST(ClusterCodec, LinksSurvive) {
   LinkSet links(4);
   for (std::uint32_t i = 0; i < 4; ++i)
-    links.add(some_link(i), std::vector<float>(4, static_cast<float>(i)));
+    links.add(some_link(i), std::vector<float>(4, static_cast<float>(i)),
+              i == 2 ? std::vector<double>{1.0, 0.25} : std::vector<double>{});
   ByteWriter w;
   ClusterCodec::write_links(links, w);
   const std::vector<std::byte> bytes = w.take();
@@ -44,7 +45,15 @@ TEST(ClusterCodec, LinksSurvive) {
     EXPECT_EQ(b.finest, a.finest);
     EXPECT_EQ(b.visibility_uncertainty, a.visibility_uncertainty);
     EXPECT_EQ(copy.transport(i)[3], links.transport(i)[3]);
+    ASSERT_EQ(copy.tint(i).size(), 2u);
+    EXPECT_EQ(copy.tint(i)[0], 1.0f);
+    EXPECT_EQ(copy.tint(i)[1], i == 2 ? 0.25f : 1.0f);
   }
+  LinkSet some(4);
+  some.take_first(copy, 1);
+  some.add_from(copy, 2);
+  EXPECT_EQ(some.tint(0)[1], 1.0f);
+  EXPECT_EQ(some.tint(1)[1], 0.25f);
 }
 
 TEST(ClusterCodec, ALinkIsWrittenWithoutPadding) {
@@ -53,7 +62,7 @@ TEST(ClusterCodec, ALinkIsWrittenWithoutPadding) {
   ByteWriter w;
   ClusterCodec::write_links(links, w);
   const std::vector<std::byte> bytes = w.take();
-  const std::size_t record = 5 * 4 + 4 * 4 + 2, before = 8 + 8, after = 8 + 4;
+  const std::size_t record = 5 * 4 + 4 * 4 + 2, before = 8 + 8, after = 8 + 4 + 8 + 8;
   ASSERT_EQ(bytes.size(), before + record + after);
   EXPECT_EQ(bytes[before], std::byte{3});  // the shooter's cluster, least significant byte first
   EXPECT_EQ(bytes[before + 1], std::byte{0});

@@ -111,7 +111,7 @@ TEST(LinkEstimator, WhatALinkCarriesDoesNotDependOnTheRaysThatDecided) {
     const LinkSide part = LinkSide::of(pair.receiving.patches(), ClusterId(0u), {0, path});
     const LinkEstimate decided = estimator.evaluate(part, shooter, roughly, nullptr);
     if (decided.transport[0] > 0.0f) continue;
-    const auto transport = estimator.kept_transport(part, shooter, roughly, nullptr, decided);
+    const auto transport = estimator.kept(part, shooter, roughly, nullptr, decided).transport;
     kept += transport[0];
     Polygon corners = shooter.corners;
     expected += part.center.x * point_to_polygon(part.center, {0, 0, 1}, corners);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/random.hpp"
 
 namespace enfilade {
@@ -20,6 +22,33 @@ TEST(RayScene, BlocksFromBothSides) {
   EXPECT_TRUE(scene.occluded({0.5, 0.5, 0.0}, {0.5, 0.5, 2.0}));
   EXPECT_TRUE(scene.occluded({0.5, 0.5, 2.0}, {0.5, 0.5, 0.0}));
   EXPECT_FALSE(scene.occluded({1.5, 0.5, 0.0}, {1.5, 0.5, 2.0}));
+}
+
+TEST(RayScene, PassesPanesAndTellsOfThem) {
+  const std::vector<Polygon> polygons{square(1.0), square(2.0), square(3.0), square(1.5, 0.2)};
+  const std::vector<char> panes{1, 0, 1, 1};
+  const RayScene scene(polygons, panes);
+  EXPECT_TRUE(scene.has_panes());
+  EXPECT_FALSE(scene.occluded({0.5, 0.5, 0.5}, {0.5, 0.5, 1.8}));
+  EXPECT_TRUE(scene.occluded({0.5, 0.5, 0.5}, {0.5, 0.5, 2.5}));
+  const RayHit hit = scene.closest({0.5, 0.5, 0.5}, {0, 0, 1});
+  EXPECT_EQ(hit.polygon, 1u);
+  EXPECT_NEAR(hit.distance_m, 1.5, 1e-6);
+  std::vector<PaneCrossing> found;
+  constexpr std::uint32_t none = RayScene::no_polygon;
+  // Along the line between the two triangles of a square, downwards and aslant.
+  scene.crossings({0.5, 0.5, 4.0}, {0, 0, -2}, 100.0, none, none, RayStart::in_air, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].polygon, 2u);
+  EXPECT_NEAR(found[0].distance_m, 1.0, 1e-6);
+  EXPECT_EQ(found[1].polygon, 0u);
+  EXPECT_NEAR(found[1].cosine, 1.0, 1e-12);
+  scene.crossings({0.1, 0.1, 0.5}, {0.03, 0, 0.4}, 10.0, 2, none, RayStart::in_air, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[1].polygon, 3u);
+  EXPECT_NEAR(found[1].cosine, -0.4 / std::hypot(0.03, 0.4), 1e-12);
+  scene.crossings({0.1, 0.1, 0.5}, {0, 0, 1}, 0.4, none, none, RayStart::in_air, found);
+  EXPECT_TRUE(found.empty());
 }
 
 TEST(RayScene, SkipsTheTwoPolygonsNamed) {

@@ -91,6 +91,57 @@ TEST_F(SceneReader, KeysThatDescribeTheBuildingAndItsSourceAreKnown) {
   EXPECT_TRUE(warnings_.empty());
 }
 
+TEST_F(SceneReader, PanesHaveATransmittancePerBand) {
+  const Scene scene = read(R"({"surfaces": [{"transmittance": 0.8, "reflectance": [0.1, 0.2], )" +
+                           std::string(triangle) + R"(}, {"transmittance": [0.0, 0], )" + triangle +
+                           "}, {\"reflectance\": 0.5, " + triangle + "}]}");
+  EXPECT_THAT(scene.surfaces[0].transmittance, ElementsAre(0.8, 0.8));
+  EXPECT_TRUE(scene.surfaces[0].is_pane());
+  EXPECT_FALSE(scene.surfaces[1].is_pane());  // lets nothing through
+  EXPECT_FALSE(scene.surfaces[2].is_pane());
+  EXPECT_THAT(surface_fault(R"(, "transmittance": 1.2)"),
+              HasSubstr("\"lid\".transmittance: is 1.2, outside [0, 1]"));
+  EXPECT_THAT(surface_fault(R"(, "transmittance": -0.1)"),
+              HasSubstr("\"lid\".transmittance: is -0.1"));
+  EXPECT_THAT(surface_fault(R"(, "transmittance": [0.5, 0.9], "reflectance": 0.2)"),
+              HasSubstr("\"lid\".transmittance: and reflectance are more than 1 together"));
+}
+
+TEST_F(SceneReader, SkyIsReadAndItsFaultsNameTheirKey) {
+  const auto with = [&](const std::string& sky) {
+    return "{\"sky\": " + sky + ", \"surfaces\": [{\"reflectance\": 0, " + std::string(triangle) +
+           "}]}";
+  };
+  const Scene grey = read(with(R"({"type": "overcast", "horizontal_illuminance": 7000})"));
+  ASSERT_TRUE(grey.sky);
+  EXPECT_NEAR(grey.sky->zenith_luminance.at(0), 7000.0 * 9.0 / (7.0 * 3.14159265358979), 0.01);
+  // In the south-west, seen from north = x.
+  const Scene clear = read(with(R"({"type": 12, "zenith": [1, 2], "north": [1, 0, 0],
+      "sun": {"elevation": 30, "azimuth": 225, "illuminance": 5}, "ground_reflectance": 0.2})"));
+  ASSERT_TRUE(clear.sky);
+  EXPECT_EQ(clear.bands, 2);
+  EXPECT_LT(glm::length(clear.sky->sun - Vec3(-std::sqrt(0.375), std::sqrt(0.375), 0.5)), 1e-9);
+  EXPECT_THAT(clear.sky->sun_illuminance, ElementsAre(5.0, 5.0));
+  EXPECT_THAT(clear.sky->ground_reflectance, ElementsAre(0.2, 0.2));
+  EXPECT_TRUE(warnings_.empty()) << all_warnings(warnings_);
+  for (const auto& [sky, what] :
+       {std::pair{R"({"type": "blue", "zenith": 1})", "sky.type: is \"blue\""},
+        {R"({"type": 16, "zenith": 1})", "sky.type: is 16"},
+        {R"({"type": "overcast"})", "sky: has no brightness"},
+        {R"({"type": "overcast", "zenith": 1, "horizontal_illuminance": 1})",
+         "sky: has a zenith and a horizontal_illuminance"},
+        {R"({"type": "clear", "zenith": 1})", "sky: of this type has no sun"},
+        {R"({"type": "clear", "zenith": 1, "sun": {"elevation": 91, "azimuth": 0}})",
+         "sky.sun.elevation: is 91"},
+        {R"({"type": "clear", "zenith": 1, "sun": {"elevation": 9}})", "azimuth"},
+        {R"({"type": "overcast", "zenith": 1, "ground_reflectance": 1})",
+         "sky.ground_reflectance: is 1, outside [0, 1)"},
+        {R"({"type": "overcast", "zenith": 1, "north": [0, 0, 1],
+             "sun": {"elevation": 9, "azimuth": 0}})",
+         "sky.north: points up"}})
+    EXPECT_THAT(fault(with(sky)), HasSubstr(what)) << sky;
+}
+
 TEST_F(SceneReader, FaultsNameTheirKey) {
   EXPECT_THAT(surface_fault(R"(, "reflectance": [0.1, 1.2])"),
               HasSubstr("surfaces[1] \"lid\".reflectance[1]: is 1.2"));

@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "scene/pane_law.hpp"
 #include "unit/geometry/box_faces.hpp"
 
 namespace enfilade {
@@ -224,6 +225,45 @@ TEST(BoundIrradiance, HoldsThePathTracedLightOfRandomRooms) {
   }
   EXPECT_GT(checked, 30);
   EXPECT_LT(widths, 1.5);
+}
+
+TEST(BoundIrradiance, HoldsWhatAPanePasses) {
+  // From the wall at x = 0, which emits 1, to that at x = 2, through a pane at x = 1; black walls.
+  constexpr int steps = 14;
+  double through = 0.0, plain = 0.0;
+  for (int i = 0; i < steps * steps; ++i) {
+    for (int j = 0; j < steps * steps; ++j) {
+      const Vec3 x(2.0, (i % steps + 0.5) / steps, (i / steps + 0.5) / steps);
+      const Vec3 y(0.0, (j % steps + 0.5) / steps, (j / steps + 0.5) / steps);
+      const double kernel = point_kernel(x, Vec3(-1, 0, 0), y, Vec3(1, 0, 0));
+      plain += kernel;
+      through += kernel * 0.6 * pane_share(2.0 / glm::length(x - y));
+    }
+  }
+  const double pairs = std::pow(steps, 4);
+  BoundScene scene;
+  add_box(scene, Vec3(0), Vec3(2, 1, 1));
+  std::size_t from = 0, to = 0;
+  for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
+    scene.polygons[k].reflectance = {0.0};
+    const Vec3 n = normal(scene.polygons[k].polygon);
+    if (n.x > 0.9) from = k;
+    if (n.x < -0.9) to = k;
+  }
+  scene.polygons[from].exitance = {1.0};
+  scene.polygons.push_back(
+      {{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}}, {0.0}, {0.0}, {0.6}, true});
+  one_target(scene);
+  const Range black = bound(scene, 3000).polygons[to][0];
+  expect_holds(black, through / pairs, 1e-4);
+  EXPECT_LE(black.hi, 1.05 * plain / pairs);
+  // With light walls and a pane that reflects, there is more light, and what is emitted still
+  // bounds it.
+  for (BoundPolygon& p : scene.polygons) p.reflectance = {p.pane ? 0.2 : 0.5};
+  const Range light = bound(scene, 3000).polygons[to][0];
+  EXPECT_LE(light.lo, light.hi);
+  EXPECT_GE(light.hi, through / pairs);
+  EXPECT_LE(light.hi, 1.0 / (1.0 * 0.5) + 1e-9);
 }
 
 }  // namespace

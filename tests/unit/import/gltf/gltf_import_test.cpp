@@ -128,8 +128,13 @@ TEST(GltfImport, MaterialsByTheirExtensions) {
   EXPECT_NEAR(surface.exitance[1], 10.0 * pi, 1e-9);
   EXPECT_NEAR(surface.reflectance[2], 0.3, 1e-9);
   EXPECT_THAT(model.warnings(), Not(HasSubstr("base colour")));  // of "first", which is not in use
-  model.material({{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.9}}}}}});
-  EXPECT_TRUE(model.import().surfaces.empty());
+  model.material({{"pbrMetallicRoughness", {{"baseColorFactor", {0.9, 0.5, 0.2, 1}}}},
+                  {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.9}}}}}});
+  const Surface pane = model.import().surfaces.at(0);
+  ASSERT_EQ(pane.transmittance.size(), 3u);
+  EXPECT_NEAR(pane.transmittance[0], 0.81, 1e-9);
+  EXPECT_NEAR(pane.transmittance[2], 0.18, 1e-9);
+  EXPECT_NEAR(pane.reflectance[1], 0.05, 1e-9);
 }
 
 TEST(GltfImport, VertexColoursCountByTriangle) {

@@ -6,7 +6,7 @@
 // visibility is counted with it.
 #pragma once
 
-#include "hierarchy/four_point_fit.hpp"
+#include "links/terms/four_point_fit.hpp"
 
 namespace enfilade {
 

@@ -1,4 +1,4 @@
-#include "links/error_terms.hpp"
+#include "links/terms/error_terms.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "hierarchy/light_part.hpp"
+#include "light_parts/light_part.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -16,9 +16,18 @@ LightPart LightPart::whole(const LightSource& light) {
 }
 
 LightPart LightPart::of(const LightSource& light, std::uint32_t path) {
-  LightPart part = whole(light);
-  for (int bit = std::bit_width(path) - 2; bit >= 0; --bit)
-    part = part.half(static_cast<int>((path >> bit) & 1u));
+  int bit = std::bit_width(path) - 2;
+  LightPart part;
+  part.light = &light;
+  part.center = light.p;
+  part.last = static_cast<std::uint32_t>(light.opening.size());
+  // Only the list that is left in the end need be measured.
+  for (; bit >= 0 && part.last > part.first + 1; --bit) {
+    const std::uint32_t middle = part.first + (part.last - part.first) / 2;
+    (((path >> bit) & 1u) == 0 ? part.last : part.first) = middle;
+  }
+  part.measure();
+  for (; bit >= 0; --bit) part = part.half(static_cast<int>((path >> bit) & 1u));
   return part;
 }
 
@@ -44,15 +53,16 @@ LightPart LightPart::half(int side) const {
 /// Share, centre and radius of the polygons from first to last; the shape of a single one.
 void LightPart::measure() {
   if (is_point()) return;
-  double area = 0.0;
+  share = 0.0;
   Vec3 sum(0.0);
+  const double whole_m2 = light->shares.empty() ? total_area_m2(light->opening) : 1.0;
   for (std::uint32_t i = first; i < last; ++i) {
-    const double m2 = area_m2(light->opening[i]);
-    area += m2;
-    sum += m2 * centroid(light->opening[i]);
+    const double part =
+        light->shares.empty() ? area_m2(light->opening[i]) / whole_m2 : light->shares[i];
+    share += part;
+    sum += part * centroid(light->opening[i]);
   }
-  share = area / total_area_m2(light->opening);
-  center = sum / area;
+  center = sum / share;
   radius = 0.0;
   for (std::uint32_t i = first; i < last; ++i)
     for (const Vec3& p : light->opening[i]) radius = std::max(radius, glm::length(p - center));
@@ -70,11 +80,8 @@ boost::container::small_vector<LightPoint, 6> LightPart::points() const {
   } else if (is_one_polygon()) {
     for (const Vec2& q : shape.quadrature()) list.push_back({frame.at(q), 0.25 * share});
   } else {
-    const double whole_m2 = total_area_m2(light->opening);
-    for (std::uint32_t i = first; i < last; ++i) {
-      const Polygon& polygon = light->opening[i];
-      list.push_back({centroid(polygon), area_m2(polygon) / whole_m2});
-    }
+    for (std::uint32_t i = first; i < last; ++i)
+      list.push_back({centroid(light->opening[i]), light->share_of(i)});
   }
   return list;
 }
@@ -85,6 +92,11 @@ Polygon LightPart::corners() const {
     list.push_back(light->p);
   } else if (is_one_polygon()) {
     for (const Vec2& p : shape.vertices) list.push_back(frame.at(p));
+  } else if (light->is_far()) {
+    Box box;
+    for (std::uint32_t i = first; i < last; ++i) box.add(bounds(light->opening[i]));
+    const auto around = box.corners();
+    list.assign(around.begin(), around.end());
   } else {
     for (std::uint32_t i = first; i < last; ++i)
       list.insert(list.end(), light->opening[i].begin(), light->opening[i].end());
@@ -97,12 +109,11 @@ Vec3 LightPart::point_in_quarter(int quarter, double r1, double r2) const {
   if (is_one_polygon()) return frame.at(shape.point_in_quarter(quarter, r1, r2));
   // A polygon by its area from a quarter of the list, then a point of it.
   double pick = share * (quarter + r1) / 4.0;
-  const double whole_m2 = total_area_m2(light->opening);
   std::uint32_t i = first;
-  double part = area_m2(light->opening[i]) / whole_m2;
+  double part = light->share_of(i);
   while (i + 1 < last && pick >= part) {
     pick -= part;
-    part = area_m2(light->opening[++i]) / whole_m2;
+    part = light->share_of(++i);
   }
   const Polygon& polygon = light->opening[i];
   const double within = std::clamp(part > 0.0 ? pick / part : 0.0, 0.0, 1.0);
@@ -134,6 +145,14 @@ LightKernel kernel_of(const LightPart& part, const Vec3& x, const Vec3& n) {
 
 double power_onto(const LightPart& part, std::span<const Vec3> polygon, const Vec3& n) {
   double sum = 0.0;
+  if (part.light->is_far()) {
+    // From so far away a solid angle would be lost in rounding.
+    const Polygon whole(polygon.begin(), polygon.end());
+    const Vec3 middle = centroid(whole);
+    for (const LightPoint& point : part.points())
+      sum += point.share * kernel_from(*part.light, point.y, middle, n);
+    return area_m2(whole) * sum;
+  }
   for (const LightPoint& point : part.points()) {
     if (glm::dot(n, point.y - polygon[0]) > 0.0)
       sum += point.share * relative_flux(*part.light, point.y, polygon);

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""Daylight through openings and panes, as a user asks for it, against closed forms.
+
+daylight_test.py ENFILADE [unittest arguments]"""
+import csv
+import json
+import math
+import shutil
+import sys
+import unittest
+
+import cli_test
+from cli_test import enfilade
+
+WALLS = [[[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 0, 0], [0, 4, 0], [0, 4, 3], [0, 0, 3]],
+         [[4, 0, 0], [4, 0, 3], [4, 4, 3], [4, 4, 0]], [[0, 0, 0], [0, 0, 3], [4, 0, 3], [4, 0, 0]],
+         [[0, 4, 0], [4, 4, 0], [4, 4, 3], [0, 4, 3]]]
+ROOF = [[0, 0, 3], [0, 4, 3], [4, 4, 3], [4, 0, 3]]
+SKY = {"type": "uniform", "horizontal_illuminance": 8000}
+
+
+def of_corner(a, b, c):
+    """Form factor of a point to a parallel rectangle a x b at distance c, whose corner stands above it."""
+    x, y = a / math.hypot(a, c), b / math.hypot(b, c)
+    return (x * math.atan(b / math.hypot(a, c)) + y * math.atan(a / math.hypot(b, c))) / (2 * math.pi)
+
+
+def roofless(**more):
+    """A black room without a roof, and two points on its floor."""
+    return {"exitanceUnits": "lm/m2", "surfaces": [{"vertices": wall, "reflectance": 0} for wall in WALLS],
+            "probes": [{"p": [2, 2, 0], "n": [0, 0, 1]}, {"p": [1, 3, 0], "n": [0, 0, 1]}], "sky": SKY, **more}
+
+
+EXPECTED = [4 * of_corner(2, 2, 3), sum(of_corner(a, b, 3) for a in (1, 3) for b in (1, 3))]
+
+
+class Daylight(cli_test.InScratch):
+    def solve(self, scene):
+        path = self.scratch / "scene.json"
+        path.write_text(json.dumps(scene))
+        run = self.scratch / "run"
+        result = enfilade("solve", path, "-o", run, "--no-pictures")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return run, path
+
+    def factors(self, scene, name="answers.csv"):
+        run, points = self.solve(scene)
+        out = self.scratch / name
+        result = enfilade("probe", run, "--points", points, "-o", out, "--daylight-factor")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return out
+
+    def test_factor_of_a_room_without_a_roof(self):
+        with self.factors(roofless()).open(newline="", encoding="utf-8") as file:
+            for row, expected in zip(csv.DictReader(file), EXPECTED):
+                self.assertAlmostEqual(float(row["daylight_factor"]), 100 * expected, delta=0.1 * expected)
+                self.assertAlmostEqual(float(row["E"]), 8000 * expected, delta=8 * expected)
+
+    def test_tinted_pane_in_the_roof(self):
+        scene = roofless()
+        scene["surfaces"].append({"vertices": ROOF, "reflectance": 0, "transmittance": [0.8, 0.4]})
+        answers = json.loads(self.factors(scene, "answers.json").read_text())["probes"]
+        for answer, expected in zip(answers, EXPECTED):
+            whole, half = answer["daylight_factor"]
+            self.assertAlmostEqual(half, 0.5 * whole, delta=1e-6 * whole)
+            # Dimmed by the angle, at most by a tenth here.
+            self.assertLess(whole, 80 * expected)
+            self.assertGreater(whole, 72 * expected)
+
+    def test_refusals_are_one_line(self):
+        lamp = {"type": "point", "p": [2, 2, 1], "intensity": 10}
+        sun = {"elevation": 50, "azimuth": 180, "illuminance": 60000}
+        plain = roofless()
+        del plain["sky"]
+        for scene, what in ((dict(plain, lights=[lamp]), "no sky"), (roofless(lights=[lamp]), "lamps"),
+                            (roofless(sky=dict(SKY, sun=sun)), "sunlight")):
+            run, points = self.solve(scene)
+            result = enfilade("probe", run, "--points", points, "-o", self.scratch / "x.json", "--daylight-factor")
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, rf"^enfilade: error: .*--daylight-factor: the scene has {what}[^\n]*\n$")
+            self.assertFalse((self.scratch / "x.json").exists())
+            shutil.rmtree(run)
+
+
+if __name__ == "__main__":
+    cli_test.ENFILADE = cli_test.ENFILADE or sys.argv.pop(1)
+    unittest.main()
