@@ -155,6 +155,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
     // The root reads first what every rank is about to read, so that a fault is reported once.
     if (config.resume) committed_iterations(config.run_directory);
     if (!config.local_directory.empty()) check_local_directory(config.local_directory);
+    if (options.shares) share_groups(prepared.scene);
     remove_run_outputs(config.run_directory);
   });
   if (options.trace) machine.trace();
