@@ -261,6 +261,7 @@ ShareIndex solve_shares(const SolveConfig& config, Prepared& prepared, Communica
     const std::size_t count = std::min(index.per_file, groups.size() - first);
     prepared.scene = share_scene(scene, std::span(groups).subspan(first, count));
     solve_turn(run, prepared, first, remainder, index);
+    communicator.barrier();  // each rank has removed its local directory
     communicator.on_root([&] { remove_directory(layout.run + "/shares/work"); });
   }
   prepared.scene = scene;
