@@ -8,23 +8,40 @@ namespace enfilade {
 namespace {
 
 constexpr double least_radius = 0.2, most_radius = 0.99;
-constexpr std::array<int, ChebyshevCycle::length> order = {0, 7, 3, 4, 1, 6, 2, 5};
+constexpr double least_length = 4.0, most_length = 24.0;
+
+/// Chebyshev's roots in (-1, 1), in Leja's order.
+std::vector<double> roots_in_order(int n) {
+  std::vector<double> left, ordered;
+  for (int k = 0; k < n; ++k) left.push_back(std::cos((k + 0.5) * std::numbers::pi / n));
+  while (!left.empty()) {
+    // The logarithm of the distances' product; at first the root that is farthest from 0.
+    const auto distance = [&ordered](double root) {
+      double sum = ordered.empty() ? std::log(std::abs(root)) : 0.0;
+      for (const double other : ordered) sum += std::log(std::abs(root - other));
+      return sum;
+    };
+    const auto next = std::ranges::max_element(left, {}, distance);
+    ordered.push_back(*next);
+    left.erase(next);
+  }
+  return ordered;
+}
 
 }  // namespace
 
-ChebyshevCycle::ChebyshevCycle(double radius)
-    : radius_(std::clamp(radius, least_radius, most_radius)) {}
-
-double ChebyshevCycle::factor(int iteration) const {
-  const int root = order.at(static_cast<std::size_t>(iteration % length));
-  return 1.0 / (1.0 - radius_ * std::cos((root + 0.5) * std::numbers::pi / length));
+ChebyshevCycle::ChebyshevCycle(double radius, double aim)
+    : radius_(std::clamp(radius, least_radius, most_radius)) {
+  // T_n(x) = cosh(n acosh(x)).
+  const double length = std::acosh(std::max(1.0, 1.0 / aim)) / std::acosh(1.0 / radius_);
+  const int n = static_cast<int>(std::ceil(std::clamp(length, least_length, most_length)));
+  for (const double root : roots_in_order(n)) factors_.push_back(1.0 / (1.0 - radius_ * root));
 }
 
-void ChebyshevCycle::measure(double reduction) {
-  // T_n(x) = cosh(n acosh(x)): the eigenvalue whose part of the error shrinks as was seen.
-  const double beyond = reduction * std::cosh(length * std::acosh(1.0 / radius_));
-  if (!(beyond > 1.0)) return;
-  radius_ = std::min(most_radius, radius_ * std::cosh(std::acosh(beyond) / length));
+double ChebyshevCycle::measured(double left) const {
+  const double beyond = left * std::cosh(length() * std::acosh(1.0 / radius_));
+  if (!(beyond > 1.0)) return radius_;
+  return std::min(most_radius, radius_ * std::cosh(std::acosh(beyond) / length()));
 }
 
 }  // namespace enfilade

@@ -22,16 +22,18 @@ namespace {
 
 /// Bands that are gathered at once: more shares are found in several turns, in the same memory.
 constexpr std::size_t most_bands = 96;
-/// The iterations end where the residual, relative to the light of the scene, is below this.
-constexpr double enough = 1e-7;
+/// The iterations end where the residual, relative to the light of the scene, is below this share
+/// of the target error: it is far below what links and points leave. Within limits of use and of
+/// rounding.
+constexpr double residual_share = 1e-3, most_residual = 1e-5, least_residual = 1e-7;
 constexpr int most_iterations = 400;
 
 /// The iterations of some of the shares, as rank 0 plans them.
 class SharePlanner {
  public:
   /// `last`: of the solve; `repeats`: times that its bands stand in those of the share scene.
-  SharePlanner(const IterationSummary& last, std::size_t repeats)
-      : cycle_(reflected_share(last.figures)) {
+  SharePlanner(const IterationSummary& last, std::size_t repeats, double enough)
+      : enough_(enough), cycle_(reflected_share(last.figures), enough) {
     plan_.refine = plan_.renew_far = false;
     plan_.close_rows = last.plan.close_rows;
     for (std::size_t i = 0; i < repeats; ++i) {
@@ -42,24 +44,27 @@ class SharePlanner {
   }
 
   const IterationPlan& first() const { return plan_; }
-  /// Residuals are compared at the same place of each cycle.
+  /// The change tells the residual before the iteration. Residuals are compared where cycles begin:
+  /// within one, that of a part of the light may grow for a while.
   IterationPlan next(const IterationSummary& last) {
-    const int done = last.plan.iteration;
-    const double change = last.figures.change_power / last.plan.relaxation;
-    residual_ = last.figures.received_power > 0.0 ? change / last.figures.received_power : 0.0;
-    if ((done - 1) % ChebyshevCycle::length == 0) {
-      if (at_cycle_ > 0.0) cycle_.measure(residual_ / at_cycle_);
-      at_cycle_ = residual_;
+    const double power = last.figures.received_power;
+    const double residual = power > 0.0 ? last.figures.change_power / plan_.relaxation / power : 0;
+    if (step_ == 0) {
+      residual_ = residual;
+      if (at_cycle_ > 0.0)
+        cycle_ = ChebyshevCycle(cycle_.measured(residual / at_cycle_), enough_ / residual);
+      at_cycle_ = residual;
+      plan_.converged = residual <= enough_;
     }
-    plan_.iteration = done + 1;
-    plan_.converged = residual_ <= enough;
-    plan_.finished = plan_.converged || done >= most_iterations;
-    plan_.relaxation = cycle_.factor(done);
+    plan_.finished = plan_.converged || plan_.iteration >= most_iterations;
+    ++plan_.iteration;
+    step_ = (step_ + 1) % cycle_.length();
+    plan_.relaxation = cycle_.factor(step_);
     return plan_;
   }
   /// Returns how far the iterations have come, 0 .. 1.
   double progress() const {
-    return residual_ > 0.0 ? std::clamp(std::log(residual_) / std::log(enough), 0.0, 1.0) : 0.0;
+    return residual_ > 0.0 ? std::clamp(std::log(residual_) / std::log(enough_), 0.0, 1.0) : 0.0;
   }
 
  private:
@@ -74,8 +79,10 @@ class SharePlanner {
   }
 
   IterationPlan plan_;
+  double enough_;
   ChebyshevCycle cycle_;
-  double residual_ = 1.0, at_cycle_ = 0.0;
+  int step_ = 0;
+  double residual_ = 1.0, at_cycle_ = 0.0;  ///< now and where the last cycle began
 };
 
 /// Of this rank's clusters, the light of their leaves that no share has accounted for yet.
@@ -205,7 +212,10 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
 
   const IterationSummary last = history_of(run.manifest).back();
   const auto bands = static_cast<std::size_t>(prepared.scene.bands);
-  SharePlanner planner(last, bands / static_cast<std::size_t>(prepared.scene.lead_bands));
+  const double wanted =
+      config.tolerance > 0.0 ? config.tolerance : residual_share * config.target_error;
+  SharePlanner planner(last, bands / static_cast<std::size_t>(prepared.scene.lead_bands),
+                       std::clamp(wanted, least_residual, most_residual));
   std::vector<IterationSummary> history;
   const IterationPlan end = scheme->run(
       work, planner.first(), {}, history,
