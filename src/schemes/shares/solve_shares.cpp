@@ -48,13 +48,12 @@ class SharePlanner {
   /// within one, that of a part of the light may grow for a while.
   IterationPlan next(const IterationSummary& last) {
     const double power = last.figures.received_power;
-    const double residual = power > 0.0 ? last.figures.change_power / plan_.relaxation / power : 0;
-    if (step_ == 0) {
-      residual_ = residual;
+    residual_ = power > 0.0 ? last.figures.change_power / plan_.relaxation / power : 0.0;
+    plan_.converged = residual_ <= enough_;
+    if (step_ == 0 && !plan_.converged) {
       if (at_cycle_ > 0.0)
-        cycle_ = ChebyshevCycle(cycle_.measured(residual / at_cycle_), enough_ / residual);
-      at_cycle_ = residual;
-      plan_.converged = residual <= enough_;
+        cycle_ = ChebyshevCycle(cycle_.measured(residual_ / at_cycle_), enough_ / residual_);
+      at_cycle_ = residual_;
     }
     plan_.finished = plan_.converged || plan_.iteration >= most_iterations;
     ++plan_.iteration;
