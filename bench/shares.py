@@ -3,7 +3,7 @@
 
 usage: shares.py ENFILADE OUT.csv [--luminaires 10,40] [--scenes SCENE.json,...] [--target-error E] [--repeats 3]
 
-The lamps of each scene (without --scenes: of a storey of offices that is generated) are dealt out among N switches. A row has the
+The lamps of each scene (without --scenes: of two storeys of offices that are generated) are dealt out among N switches. A row has the
 medians over the repeats, on one core: `solve_s` and `shares_s` (stats.json), `solves` = 1 + shares_s / solve_s, and
 `limit` = 1 + 0.05 N."""
 import argparse
@@ -54,7 +54,7 @@ def main():
         scenes = options.scenes.split(",") if options.scenes else []
         if not scenes:
             scenes = [os.path.join(folder, "office.json")]
-            subprocess.run([options.enfilade, "generate", "--preset", "demo", "--floors", "1", "-o", scenes[0]], check=True,
+            subprocess.run([options.enfilade, "generate", "--preset", "demo", "--floors", "2", "-o", scenes[0]], check=True,
                            stdout=subprocess.DEVNULL)
         for name in scenes:
             for count in map(int, options.luminaires.split(",")):

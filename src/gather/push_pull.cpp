@@ -94,6 +94,9 @@ void push_pull(ClusterState& receiver, std::span<const double> gathered, double 
   row.before = arriving_power(receiver);
   if (patches.lead_bands() < patches.bands()) {
     relax_shares(patches, gathered, relaxation);
+    // Each link has been gathered over once for each light.
+    figures.work.links_gathered *=
+        static_cast<std::uint64_t>(patches.bands() / patches.lead_bands());
   } else {
     patches.push_pull(gathered);
   }
