@@ -25,7 +25,7 @@ constexpr std::size_t most_bands = 96;
 /// The iterations end where the residual, relative to the light of the scene, is below this share
 /// of the target error: it is far below what links and points leave. Within limits of use and of
 /// rounding.
-constexpr double residual_share = 1e-3, most_residual = 1e-5, least_residual = 1e-7;
+constexpr double residual_share = 1e-3, most_residual = 1e-4, least_residual = 1e-7;
 constexpr int most_iterations = 400;
 
 /// The iterations of some of the shares, as rank 0 plans them.
@@ -33,32 +33,32 @@ class SharePlanner {
  public:
   /// `last`: of the solve; `repeats`: times that its bands stand in those of the share scene.
   SharePlanner(const IterationSummary& last, std::size_t repeats, double enough)
-      : enough_(enough), cycle_(reflected_share(last.figures), enough) {
+      : enough_(enough), radius_(reflected_share(last.figures)) {
     plan_.refine = plan_.renew_far = false;
     plan_.close_rows = last.plan.close_rows;
     for (std::size_t i = 0; i < repeats; ++i) {
       plan_.flux_correction.insert(plan_.flux_correction.end(), last.plan.flux_correction.begin(),
                                    last.plan.flux_correction.end());
     }
-    plan_.relaxation = cycle_.factor(0);
   }
 
   const IterationPlan& first() const { return plan_; }
-  /// The change tells the residual before the iteration. Residuals are compared where cycles begin:
-  /// within one, that of a part of the light may grow for a while.
+  /// The change tells the residual before the iteration. Before and between cycles there is an
+  /// iteration of Jacobi's, which tells what the cycle has achieved and what the next one has to.
   IterationPlan next(const IterationSummary& last) {
     const double power = last.figures.received_power;
     residual_ = power > 0.0 ? last.figures.change_power / plan_.relaxation / power : 0.0;
     plan_.converged = residual_ <= enough_;
-    if (step_ == 0 && !plan_.converged) {
-      if (at_cycle_ > 0.0)
-        cycle_ = ChebyshevCycle(cycle_.measured(residual_ / at_cycle_), enough_ / residual_);
-      at_cycle_ = residual_;
-    }
     plan_.finished = plan_.converged || plan_.iteration >= most_iterations;
     ++plan_.iteration;
-    step_ = (step_ + 1) % cycle_.length();
-    plan_.relaxation = cycle_.factor(step_);
+    if (plan_.finished) return plan_;
+    if (step_ < 0) {
+      if (cycle_) radius_ = cycle_->measured(residual_ / (at_cycle_ * radius_));
+      at_cycle_ = residual_;
+      cycle_.emplace(radius_, enough_ / (residual_ * radius_));
+    }
+    if (++step_ == cycle_->length()) step_ = -1;
+    plan_.relaxation = step_ < 0 ? 1.0 : cycle_->factor(step_);
     return plan_;
   }
   /// Returns how far the iterations have come, 0 .. 1.
@@ -78,10 +78,10 @@ class SharePlanner {
   }
 
   IterationPlan plan_;
-  double enough_;
-  ChebyshevCycle cycle_;
-  int step_ = 0;
-  double residual_ = 1.0, at_cycle_ = 0.0;  ///< now and where the last cycle began
+  double enough_, radius_;
+  std::optional<ChebyshevCycle> cycle_;
+  int step_ = -1;                           ///< of the cycle; -1 = between cycles
+  double residual_ = 1.0, at_cycle_ = 0.0;  ///< now, and before the last cycle
 };
 
 /// Of this rank's clusters, the light of their leaves that no share has accounted for yet.
