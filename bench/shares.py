@@ -1,15 +1,16 @@
 #!/usr/bin/python3
-"""What the shares of N luminaires cost, in solves: the seconds that 'solve --shares' takes for them over those of the solve.
+"""What the shares of N luminaires cost, in solves: processor seconds of 'solve --shares' over those of 'solve'.
 
 usage: shares.py ENFILADE OUT.csv [--luminaires 10,40] [--scenes SCENE.json,...] [--target-error E] [--repeats 3]
 
 The lamps of each scene (without --scenes: of two storeys of offices that are generated) are dealt out among N switches. A row has the
-medians over the repeats, on one core: `solve_s` and `shares_s` (stats.json), `solves` = 1 + shares_s / solve_s, and
-`limit` = 1 + 0.05 N."""
+medians over the repeats, of both commands on one core and without pictures: `solve_s` and `with_shares_s` (user and system), `solves` =
+with_shares_s / solve_s, and `limit` = 1 + 0.05 N."""
 import argparse
 import csv
 import json
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -32,12 +33,21 @@ def with_switches(scene, count):
     return scene
 
 
+def processor_s(*command):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(["taskset", "-c", "0", *command], check=True, stderr=subprocess.DEVNULL)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def measure(enfilade, path, target_error, run):
-    subprocess.run(["taskset", "-c", "0", enfilade, "solve", path, "-o", run, "--shares", "--no-pictures", "--quiet",
-                    "--target-error", target_error], check=True)
+    command = [enfilade, "solve", path, "-o", run, "--no-pictures", "--quiet", "--target-error", target_error]
+    row = {"solve": processor_s(*command)}
+    subprocess.run(["rm", "-rf", run], check=True)
+    row["with_shares"] = processor_s(*command, "--shares")
     stats = json.loads((Path(run) / "stats.json").read_text())
-    return {key: stats[key] for key in ("clusters", "links", "patches", "share_iterations", "share_difference", "solve_s",
-                                        "shares_s")}
+    subprocess.run(["rm", "-rf", run], check=True)
+    return row | {key: stats[key] for key in ("clusters", "links", "patches", "share_iterations", "share_difference")}
 
 
 def main():
@@ -69,9 +79,9 @@ def main():
                 rows.append({"scene": Path(name).stem, "clusters": int(middle["clusters"]), "links": int(middle["links"]),
                              "patches": int(middle["patches"]), "luminaires": count,
                              "iterations": int(middle["share_iterations"]),
-                             "difference": f"{middle['share_difference']:.2g}", "solve_s": f"{middle['solve_s']:.2f}",
-                             "shares_s": f"{middle['shares_s']:.2f}",
-                             "solves": f"{1 + middle['shares_s'] / middle['solve_s']:.2f}",
+                             "difference": f"{middle['share_difference']:.2g}", "solve_s": f"{middle['solve']:.2f}",
+                             "with_shares_s": f"{middle['with_shares']:.2f}",
+                             "solves": f"{middle['with_shares'] / middle['solve']:.2f}",
                              "limit": f"{1 + 0.05 * count:.2f}"})
                 print(*(f"{key} {value}" for key, value in rows[-1].items()), flush=True)
                 with open(options.out, "w", encoding="utf-8", newline="") as file:
