@@ -86,11 +86,14 @@ void GatheredLight::receive_group(const Link& link, std::span<const float> trans
 void GatheredLight::receive_patch(const Link& link, std::span<const float> transport) {
   double* to = irradiance_.data() + receiver_.find(link.receiver) * bands_ * terms_;
   for (std::size_t b = 0; b < bands_; ++b) {
-    for (std::size_t r = 0; r < terms_; ++r) {
-      double sum = 0.0;
-      for (std::size_t s = 0; s < terms_; ++s)  // of a far shooter, the slopes are zero
-        sum += transport[r * terms_ + s] * light_[b * terms_ + s];
-      to[b * terms_ + r] += sum;
+    if (terms_ == 3) {  // of a far shooter, the slopes are zero
+      const double value = light_[3 * b], x = light_[3 * b + 1], y = light_[3 * b + 2];
+      for (std::size_t r = 0; r < 3; ++r) {
+        const float* const t = transport.data() + 3 * r;
+        to[3 * b + r] += t[0] * value + t[1] * x + t[2] * y;
+      }
+    } else {
+      to[b] += transport[0] * light_[b];
     }
     if (!emitted_.empty()) to[b * terms_] += transport[FarTerms::of(false).emitted] * emitted_[b];
   }

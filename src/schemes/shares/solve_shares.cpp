@@ -25,7 +25,7 @@ constexpr std::size_t most_bands = 96;
 /// The iterations end where the residual, relative to the light of the scene, is below this share
 /// of the target error: it is far below what links and points leave. Within limits of use and of
 /// rounding.
-constexpr double residual_share = 1e-3, most_residual = 1e-4, least_residual = 1e-7;
+constexpr double residual_share = 2.5e-3, most_residual = 1e-4, least_residual = 1e-7;
 constexpr int most_iterations = 400;
 
 /// The iterations of some of the shares, as rank 0 plans them.
