@@ -66,6 +66,12 @@ def iterations(rows: list[dict]):
     yield from ([row[key] for key in ("reflectance", "ranks", "corrected", "paper", "jacobi")] for row in rows)
 
 
+def shares(rows: list[dict]):
+    yield ["scene", "clusters", "links", "luminaires", "iterations", "sum off by %", "solve s", "with shares s", "solves", "at most"]
+    yield from ([row["scene"], count(row["clusters"]), count(row["links"]), row["luminaires"], row["iterations"],
+                 percent(row["difference"], 3), row["solve_s"], row["with_shares_s"], row["solves"], row["limit"]] for row in rows)
+
+
 def floors(rows: list[dict], windows: str):
     yield ["storeys", "windows", "surfaces", "cells", "clusters", "visible pairs", "user s", "MiB"]
     yield from ([row["floors"], windows, *(count(row[key]) for key in ("surfaces", "cells", "clusters", "pairs")),
@@ -114,11 +120,11 @@ def scaling(rows: list[dict]):
                *([number(float(beside["simulated_s"])), parts(beside, number)] if beside else ["", ""])]
 
 
-TABLES = {table.__name__: table for table in (estimates, houses, bases, iterations, floors_open, floors_closed, table2, whatif,
-                                              scaling)}
+TABLES = {table.__name__: table for table in (estimates, houses, bases, iterations, shares, floors_open, floors_closed, table2,
+                                              whatif, scaling)}
 PAGES = {"accuracy.md": {"estimates": "estimates", "houses": "estimates", "bases": "bases", "iterations": "iterations"},
          "cells.md": {"floors_open": "floors_open", "floors_closed": "floors_closed"},
-         "README.md": {"table2": "table2", "whatif": "whatif", "scaling": "scaling"}}
+         "README.md": {"shares": "shares", "table2": "table2", "whatif": "whatif", "scaling": "scaling"}}
 
 
 def lines(name: str, paths: list[Path]) -> list[str]:

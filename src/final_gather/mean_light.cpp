@@ -35,9 +35,10 @@ double mean_radiosity_over(std::span<const ClusterState> clusters) {
 
 double largest_radiosity(const PatchForest& forest, std::size_t node) {
   const std::span<const double> light = forest.radiosity(node);
+  const auto terms = static_cast<std::size_t>(forest.terms());
+  const std::size_t lead = terms * static_cast<std::size_t>(forest.lead_bands());
   double largest = 0.0;
-  for (std::size_t i = 0; i < light.size(); i += static_cast<std::size_t>(forest.terms()))
-    largest = std::max(largest, light[i]);
+  for (std::size_t i = 0; i < lead; i += terms) largest = std::max(largest, light[i]);
   return largest;
 }
 

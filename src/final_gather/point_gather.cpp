@@ -53,7 +53,7 @@ struct PointGather::Impl {
   PointGatherConfig config;
   EmitterSampler emitters;
   EmitterPicker picker;
-  std::size_t bands;
+  std::size_t bands, lead_bands;
   Spectrum mean_irradiance;
 
   Impl(std::span<const ClusterState> of, std::span<const LightSource> by, const Occluders& between,
@@ -220,7 +220,7 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     for (std::size_t b = 0; b < bands; ++b) {
       of_rays[b] += more[b];
       const double found = e[b] + sum[b] / rounds;
-      noisy |= config.least_noise() > 0.0 &&
+      noisy |= b < lead_bands && config.least_noise() > 0.0 &&
                std::sqrt(of_rays[b]) / rounds > most_noise(b, found, found - emitted[b]);
     }
   }
@@ -242,6 +242,7 @@ PointGather::Impl::Impl(std::span<const ClusterState> of, std::span<const LightS
       emitters(of, between),
       picker(emitters.sources(), by, between, how.seed),
       bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].bands())),
+      lead_bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].patches().lead_bands())),
       mean_irradiance(mean_irradiance_over(of)) {}
 
 PointGather::PointGather(std::span<const ClusterState> clusters,

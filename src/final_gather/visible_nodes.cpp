@@ -34,7 +34,8 @@ struct Slope {
 Slope slope_over(const PatchForest& forest, std::size_t node, const PatchShape& shape) {
   Slope most;
   const std::span<const double> light = forest.radiosity(node);
-  for (std::size_t i = 0; forest.terms() == 3 && i < light.size(); i += 3) {
+  const auto lead = 3 * static_cast<std::size_t>(forest.lead_bands());
+  for (std::size_t i = 0; forest.terms() == 3 && i < lead; i += 3) {
     const double x = light[i + 1], y = light[i + 2];
     const double square = x * x * shape.cxx + 2.0 * x * y * shape.cxy + y * y * shape.cyy;
     if (square > most.rms * most.rms) most = {{x, y}, std::sqrt(square)};

@@ -29,7 +29,9 @@ struct VisibleNode {
   double irradiance(const PatchForest& forest, std::size_t band) const {
     return factor > 0.0 ? factor_in(band) * forest.radiosity_at(node, band, moment / factor) : 0.0;
   }
-  double factor_in(std::size_t band) const { return tint.empty() ? factor : factor * tint[band]; }
+  double factor_in(std::size_t band) const {
+    return tint.empty() ? factor : factor * tint[band % tint.size()];
+  }
   /// Returns the node's own affine function of radiosity at point y of the polygon's plane.
   double radiosity(const PatchForest& forest, std::size_t band, const Vec3& y) const {
     const PatchNode& at = forest.node(node);

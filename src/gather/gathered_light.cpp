@@ -1,6 +1,7 @@
 #include "gather/gathered_light.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "far_field/far_view.hpp"
 
@@ -30,6 +31,13 @@ double GatheredLight::read(const Link& link, std::span<const float> tint,
   return variation;
 }
 
+double GatheredLight::most() const {
+  double most = 0.0;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(receiver_.lead_bands()); ++b)
+    most = std::max(most, std::abs(means_[b]));
+  return most;
+}
+
 /// Where a linear shooting patch has not been made by its owner, light_ is its ancestor's affine
 /// function about the patch's own centroid.
 double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
@@ -38,10 +46,8 @@ double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
   if (link.is_far()) {
     const std::uint32_t node = link.shooter.group();
     const Vec3 toward = unfold_direction({link.shooter_x, link.shooter_y});
-    for (std::size_t b = 0; b < bands_; ++b) {
-      light_[b * terms_] = far_->reflected(node, b, toward);
-      emitted_.push_back(far_->emitted(node, b));
-    }
+    far_->reflected(node, toward, light_, terms_);
+    for (std::size_t b = 0; b < bands_; ++b) emitted_.push_back(far_->emitted(node, b));
     return far_->deviation(node);
   }
   if (shooter == nullptr) {
@@ -86,11 +92,14 @@ void GatheredLight::receive_group(const Link& link, std::span<const float> trans
 void GatheredLight::receive_patch(const Link& link, std::span<const float> transport) {
   double* to = irradiance_.data() + receiver_.find(link.receiver) * bands_ * terms_;
   for (std::size_t b = 0; b < bands_; ++b) {
-    for (std::size_t r = 0; r < terms_; ++r) {
-      double sum = 0.0;
-      for (std::size_t s = 0; s < terms_; ++s)  // of a far shooter, the slopes are zero
-        sum += transport[r * terms_ + s] * light_[b * terms_ + s];
-      to[b * terms_ + r] += sum;
+    if (terms_ == 3) {  // of a far shooter, the slopes are zero
+      const double value = light_[3 * b], x = light_[3 * b + 1], y = light_[3 * b + 2];
+      for (std::size_t r = 0; r < 3; ++r) {
+        const float* const t = transport.data() + 3 * r;
+        to[3 * b + r] += t[0] * value + t[1] * x + t[2] * y;
+      }
+    } else {
+      to[b] += transport[0] * light_[b];
     }
     if (!emitted_.empty()) to[b * terms_] += transport[FarTerms::of(false).emitted] * emitted_[b];
   }

@@ -27,8 +27,10 @@ class GatheredLight {
   std::span<const double> means() const { return means_; }
   /// Returns what of `light` in band b of the shooter read last arrives by the link's tint.
   double tinted(double light, std::size_t b) const {
-    return tint_.empty() ? light : light * tint_[b];
+    return tint_.empty() ? light : light * tint_[b % tint_.size()];
   }
+  /// Returns the largest of these, without sign, of the lead bands.
+  double most() const;
   /// Returns the reflected radiosity of a far shooter read last.
   double reflected(std::size_t band) const { return light_[band * terms_]; }
   /// Adds the light read last, by the link's transport, to the irradiance of its receiver.

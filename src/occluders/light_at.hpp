@@ -21,7 +21,9 @@ struct LightAtPoint {
   std::vector<double> tint{};  ///< per band, of what passes panes (Passage::tint)
 
   /// Of what arrives in band b.
-  double band(std::size_t b) const { return tint.empty() ? irradiance : irradiance * tint[b]; }
+  double band(std::size_t b) const {
+    return tint.empty() ? irradiance : irradiance * tint[b % tint.size()];
+  }
 };
 
 /// Of a point light in closed form with one ray; of an opening by points on it, each with a ray,

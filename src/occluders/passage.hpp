@@ -11,10 +11,12 @@ namespace enfilade {
 
 /// The share of the light that passes from one point to another.
 struct Passage {
-  double share = 1.0;        ///< of the band of each pane that passes most; 0 where a wall stands
-  std::vector<double> tint;  ///< per band, relative to `share`; empty: all bands alike
+  double share = 1.0;  ///< of the band of each pane that passes most; 0 where a wall stands
+  /// Per band, relative to `share`; empty: all bands alike. Bands beyond these (shares of the
+  /// light) are theirs again.
+  std::vector<double> tint;
 
-  double band(std::size_t b) const { return tint.empty() ? share : share * tint[b]; }
+  double band(std::size_t b) const { return tint.empty() ? share : share * tint[b % tint.size()]; }
 };
 
 /// The mean tint of light that comes over several ways.

@@ -51,6 +51,7 @@ struct LightSource {
   std::string name{};
   std::optional<SpotCone> cone{};  ///< of a spot light
   LuminousOpening shape{};         ///< of a luminaire: what `opening` is made of
+  std::string switch_name{};       ///< of the switch that it is on; may be empty
   /// Of each polygon of the opening, the share of the light; empty: by area.
   std::vector<double> shares{};
   /// Of the sky, the sun and the ground (scene/sky.hpp): their distance, and the radius of the ball

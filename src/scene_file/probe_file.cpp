@@ -46,6 +46,7 @@ void write_probe_answers(const ProbeFile& source, const std::string& path,
     probes[i]["error"] = answers[i].error;
     if (!answers[i].daylight_factor.empty())
       probes[i]["daylight_factor"] = answers[i].daylight_factor;
+    for (const auto& [name, light] : answers[i].shares) probes[i]["shares"][name] = light;
   }
   write_file_atomically(
       path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

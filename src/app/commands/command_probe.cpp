@@ -29,6 +29,7 @@ struct ProbeOptions {
   std::string run, points, output, from = "gather";
   bool daylight_factor = false;
   PointGatherConfig gather;
+  RunLight light;
 };
 
 void run_probe(const ProbeOptions& options, const Console& console) {
@@ -37,7 +38,7 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   const std::vector<Probe>& probes = points.probes;
   RunLock lock;
   lock.read(options.run);
-  const SolvedRun run(options.run, options.gather);
+  const SolvedRun run(options.run, options.gather, options.light);
   ProbeAnswers found = irradiance_at(run, probes, probe_method(options.from), console.progress());
   if (options.daylight_factor)
     add_daylight_factors(options.run, run.prepared().scene, found.answers);
@@ -46,6 +47,7 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));
   table.add("unit", irradiance_label(run.prepared().scene.unit));
+  if (options.light.shares) table.add("shares", with_thousands(run.shares().size()));
   if (found.in_the_open > 0)
     table.add("see nothing", with_thousands(found.in_the_open) + ": no surface faces them");
   if (found.behind > 0) {
@@ -69,6 +71,10 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
   sub.add_flag("--daylight-factor", o.daylight_factor,
                "Add the daylight factor, percent: E over that of an unobstructed horizontal plane "
                "under the scene's sky; for scenes without lamps and without sunlight");
+  add_switch_option(sub, o.light.switches);
+  sub.add_flag("--shares", o.light.shares,
+               "Also the light by each luminaire or switch, as \"shares\": they sum to E")
+      ->excludes("--switch");
   sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere that tell what a point sees")
       ->check(CLI::Range(4, 100000000))
       ->capture_default_str();

@@ -140,7 +140,7 @@ void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name : {"stats.json", "reports.json", "history.json", "warnings.json",
                            "assignment.json", "probes.json", "rooms.csv", "surfaces.csv",
-                           "solution.glb", "report.html", "trace.paje", "pictures"}) {
+                           "solution.glb", "report.html", "trace.paje", "pictures", "shares"}) {
     remove_directory((run / name).string());
   }
 }

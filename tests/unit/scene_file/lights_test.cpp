@@ -156,6 +156,26 @@ TEST_F(SceneLights, FaultsAreToldByKey) {
               HasSubstr("luminaires"));
 }
 
+TEST_F(SceneLights, SwitchesOfLightsAndSurfacesAreKept) {
+  const Scene scene = read(text(R"("lights": [
+      {"type": "point", "p": [0, 0, 1], "intensity": 1, "switch": "point's"},
+      {"type": "spot", "p": [1, 2, 3], "direction": [0, 0, 1], "intensity": 1, "switch": "spot's"}],
+      "luminaires": [{"flux": 1, "p": [0, 0, 0], "switch": "luminaire's"}])",
+                                "lm/m2", R"(, "exitance": 3, "switch": "surface's")"));
+  const std::string path = folder_.file("out.json");
+  write_scene(scene, path);
+  for (const Scene& found : {scene, read_scene(path, warnings_)}) {
+    ASSERT_EQ(found.lights.size(), 3u);
+    EXPECT_EQ(found.lights[0].switch_name, "point's");
+    EXPECT_EQ(found.lights[1].switch_name, "spot's");
+    EXPECT_EQ(found.lights[2].switch_name, "luminaire's");
+    EXPECT_EQ(found.surfaces[0].switch_name, "surface's");
+  }
+  EXPECT_TRUE(warnings_.empty()) << all_warnings(warnings_);
+  EXPECT_THAT(fault(R"("luminaires": [{"flux": 1, "p": [0, 0, 0], "switch": 3}])"),
+              HasSubstr("luminaires[0].switch"));
+}
+
 TEST_F(SceneLights, AreWrittenAsTheyAreRead) {
   folder_.write("lamp.ies", ies);
   Scene scene = read(
