@@ -6,13 +6,14 @@
 #include "app/frame/option_checks.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
+#include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "report/pictures/camera.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/render.hpp"
 #include "report/pictures/tone_mapping.hpp"
+#include "report/survey/room_cameras.hpp"
 
 namespace enfilade {
 
@@ -37,7 +38,8 @@ struct RenderOptions {
 Vec3 point(const std::vector<double>& p) { return {p[0], p[1], p[2]}; }
 
 /// The camera of --eye and --look-at, else the named one of --cameras or of the automatic cameras.
-Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
+Camera choose_camera(const RenderOptions& options, const SolvedRun& run) {
+  const SolvedScene solved = run.solved_scene();
   if (!options.eye.empty()) {
     Camera camera;
     camera.name = "asked";
@@ -48,8 +50,9 @@ Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
     check_camera(camera, "command line", "--");
     return camera;
   }
-  const std::vector<Camera> cameras =
-      options.camera_file.empty() ? automatic_cameras(solved) : read_cameras(options.camera_file);
+  const std::vector<Camera> cameras = options.camera_file.empty()
+                                          ? room_cameras(solved, rooms_of_run(run))
+                                          : read_cameras(options.camera_file);
   std::string names;
   for (const Camera& camera : cameras) {
     if (options.camera_name.empty() || camera.name == options.camera_name) return camera;
@@ -80,7 +83,7 @@ void run_render(const RenderOptions& options, const Console& console) {
   lock.read(options.run);
   const SolvedRun run(options.run);
   const SolvedScene solved = run.solved_scene();
-  const Camera camera = choose_camera(options, solved);
+  const Camera camera = choose_camera(options, run);
   const LightImage light = render(solved, camera, options.render, console.progress());
   const std::string unit = irradiance_label(solved.scene.unit);
   ToneConfig tone = options.tone;

@@ -34,8 +34,8 @@ void run_report(const ReportOptions& options, const Console& console) {
     RunLock lock;
     lock.read(directory);
     const SolvedRun run(directory);
-    pages.push_back(
-        make_run_page({directory, options.pictures, options.rooms}, run, console.progress()));
+    pages.push_back(make_run_page({directory, options.pictures, options.rooms, false}, run,
+                                  console.progress()));
   }
   const std::string html = report_html(pages);
   write_file_atomically(options.output, html);

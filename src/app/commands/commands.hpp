@@ -11,6 +11,7 @@ void add_import(CLI::App& cli, Command& chosen);
 void add_prepare(CLI::App& cli, Command& chosen);
 void add_probe(CLI::App& cli, Command& chosen);
 void add_rooms(CLI::App& cli, Command& chosen);
+void add_walk(CLI::App& cli, Command& chosen);
 void add_render(CLI::App& cli, Command& chosen);
 void add_export(CLI::App& cli, Command& chosen);
 void add_factors(CLI::App& cli, Command& chosen);

@@ -8,11 +8,12 @@
 #include "app/outputs/plan_files.hpp"
 #include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/outputs/walk_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "report/export/solution_glb.hpp"
 #include "report/export/surfaces_csv.hpp"
-#include "report/pictures/camera.hpp"
+#include "report/survey/room_cameras.hpp"
 #include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 #include "scene_file/scene_io.hpp"
@@ -80,6 +81,7 @@ std::vector<std::string> sealed_names(const RunOutputs& outputs, const Scene& sc
   if (!scene.probes.empty()) names.emplace_back("probes.json");
   if (outputs.rooms) names.emplace_back("rooms.csv");
   if (outputs.pictures) names.emplace_back(picture_list);
+  if (outputs.walk && walk_program()) names.emplace_back("walk.html");
   return names;
 }
 
@@ -125,7 +127,7 @@ RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Pro
   std::vector<Figure> kept;
   if (outputs.pictures) kept = kept_pictures(outputs.run_directory);
   std::vector<Camera> cameras;
-  if (outputs.pictures && kept.empty()) cameras = automatic_cameras(solved);
+  if (outputs.pictures && kept.empty()) cameras = room_cameras(solved, rooms_of_run(run));
   add_pictures(page, solved, cameras, read_owners(outputs.run_directory), {}, progress);
   if (!kept.empty()) page.pictures = std::move(kept);
   if (outputs.rooms) page.rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, progress);
@@ -140,7 +142,7 @@ void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
   for (const char* name : {"stats.json", "reports.json", "history.json", "warnings.json",
                            "assignment.json", "probes.json", "rooms.csv", "surfaces.csv",
-                           "solution.glb", "report.html", "trace.paje", "pictures"}) {
+                           "solution.glb", "report.html", "walk.html", "trace.paje", "pictures"}) {
     remove_directory((run / name).string());
   }
 }
@@ -160,7 +162,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
         irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
         solved.scene.unit);
   }
-  const RunPage page = make_run_page(outputs, run, progress);
+  RunPage page = make_run_page(outputs, run, progress);
   std::vector<std::string> sealed = sealed_names(outputs, solved.scene);
   if (outputs.pictures) {
     write_run_plans(outputs.run_directory, page.plans);
@@ -168,6 +170,11 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
       sealed.push_back(std::move(name));
   }
   if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
+  if (const auto program = outputs.walk ? walk_program() : std::nullopt) {
+    const RoomTable* table = outputs.rooms ? &page.rooms : nullptr;
+    write_file_atomically(directory + "walk.html", walk_page(run, page.name, table, *program));
+    page.walk = "walk.html";
+  }
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
   seal_reports(outputs.run_directory, sealed);
 }

@@ -72,6 +72,10 @@ SceneSource source_of(const std::string& scene_file, bool allow_outside) {
   };
 }
 
+RunOutputs outputs_of(const SolveOptions& options, const SolveConfig& config) {
+  return {config.run_directory, options.pictures, options.rooms, options.pictures && options.walk};
+}
+
 /// True where a finished run is asked to go on and no iteration is left, nor a file to write: RUN
 /// stays as it is, and is told once more.
 bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
@@ -79,8 +83,7 @@ bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
   if (options.trace || !is_solved(config, prepared, session.communicator())) return false;
   std::string whole;
   session.communicator().on_root([&] {
-    if (!has_run_outputs({config.run_directory, options.pictures, options.rooms}, prepared.scene))
-      return;
+    if (!has_run_outputs(outputs_of(options, config), prepared.scene)) return;
     whole = "whole";
     const RunRecord stats = read_stats(config.run_directory);
     session.console().warnings(shortfall_of(config.run_directory, stats, config.max_iterations));
@@ -131,7 +134,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
       for (const Warning& w : found.all()) warnings.add(w.where, w.what);
     }
     const auto owner = assign_clusters(prepared, config, communicator.size());
-    write_run_outputs({config.run_directory, options.pictures, options.rooms},
+    write_run_outputs(outputs_of(options, config),
                       {std::move(prepared), stats, history, owner, warnings}, console.progress());
     if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
   });

@@ -28,6 +28,7 @@ struct RunPage {
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
   RoomTable rooms;       ///< comes first; without rooms where it was not asked for
+  std::string walk;      ///< address of the run's walk-through; empty where there is none
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
   std::vector<std::string> warnings, attribution;
 };

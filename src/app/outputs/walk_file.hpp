@@ -1,0 +1,15 @@
+// The walk-through page of a solved run.
+#pragma once
+
+#include <string>
+
+#include "app/outputs/solved_run.hpp"
+#include "report/walk/walk_page.hpp"
+
+namespace enfilade {
+
+/// Returns walk.html, made with walk_program(). `table` may be null, or is what survey_run() gave.
+std::string walk_page(const SolvedRun& run, const std::string& title, const RoomTable* table,
+                      const std::string& program);
+
+}  // namespace enfilade
