@@ -195,7 +195,7 @@ class Whole(Page):
         self.assertLess(milliseconds, 3000 * float(os.environ.get("ENFILADE_SLOW_MACHINE", "3")))
 
     def test_fits_a_phone(self):
-        self.browser.call("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
+        self.browser.resize(390, 844, mobile=True)
         self.browser.frame()
         self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390)
         panel = self.browser.evaluate("(b => [b.left, b.right, b.top, b.bottom])(document.getElementById('panel').getBoundingClientRect())")
@@ -204,7 +204,7 @@ class Whole(Page):
         small = self.browser.evaluate("""[...document.querySelectorAll('button')].filter(b => b.getClientRects().length)
             .filter(b => b.getBoundingClientRect().height < 24).map(b => b.textContent)""")
         self.assertEqual(small, [])
-        self.browser.call("Emulation.clearDeviceMetricsOverride")
+        self.browser.resize(1200, 800)
 
     def test_names_from_the_scene_are_text(self):
         rows = self.browser.evaluate("[...document.querySelectorAll('#rooms tbody tr')].map(r => r.cells[0].textContent)")

@@ -122,10 +122,16 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
   group.add("--width", o.render.width, "Pixels", CLI::Range(1, 20000));
   group.add("--height", o.render.height, "Pixels", CLI::Range(1, 20000));
   group.add("--samples", o.render.samples, "Rays a pixel", CLI::Range(1, 4096));
-  group.add("--gather-rays", o.render.gather_rays,
-            "Rays of a gather from the solution at each pixel: slow, and shows no mesh lines; "
-            "0 = none",
-            CLI::Range(0, 1000000));
+  group.add(
+      "--gather-rays", o.render.gather_rays,
+      "Light is gathered from the solution at places of the picture, by so many rays over the "
+      "hemisphere of each, and smoothed between them: no patches show; 0 = light of the patches",
+      CLI::Range(0, 1000000));
+  group.add(
+      "--gather-every", o.render.gather_every_px,
+      "Distance of these places, pixels; the light that comes straight from lamps is found at "
+      "least every 3 pixels",
+      CLI::Range(1, 1000));
   group.add("--threads", o.render.threads, "Threads; 0 = one a core", CLI::Range(0, 4096));
   group
       .add("--exposure", o.tone.exposure,
