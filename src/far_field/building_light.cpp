@@ -10,13 +10,13 @@ namespace {
 
 /// Adds a polygon of area `m2` and normal n.
 void add_polygon(ClusterLight& light, std::size_t bands, const Vec3& n, double m2,
-                 std::span<const double> radiosity, std::size_t stride,
+                 std::size_t lead_bands, std::span<const double> radiosity, std::size_t stride,
                  std::span<const double> exitance) {
   const std::array<double, directions> share = axis_shares(n);
   double worst = 0.0;
   for (std::size_t b = 0; b < bands; ++b) {
     const double value = radiosity[b * stride];
-    worst = std::max(worst, value);
+    if (b < lead_bands) worst = std::max(worst, value);
     for (std::size_t k = 0; k < directions; ++k) light[k * bands + b] += share[k] * m2 * value;
     light[directions * bands + b] += m2 * (value - exitance[b]);
   }
@@ -35,7 +35,8 @@ ClusterLight light_of(const ClusterState& cluster) {
   ClusterLight light(cluster_light_size(bands), 0.0);
   for (std::size_t k = 0; k < patches.polygons(); ++k) {
     const PolygonFrame& frame = patches.frames()[k];
-    add_polygon(light, bands, frame.n, patches.node(k).shape.area_m2, patches.radiosity(k),
+    add_polygon(light, bands, frame.n, patches.node(k).shape.area_m2,
+                static_cast<std::size_t>(patches.lead_bands()), patches.radiosity(k),
                 static_cast<std::size_t>(patches.terms()),
                 {frame.exitance.data(), frame.exitance.size()});
   }
@@ -46,6 +47,7 @@ BuildingLight::BuildingLight(const BuildingTree& tree, const Scene& scene,
                              std::span<const Cluster> clusters)
     : tree_(tree),
       bands_(static_cast<std::size_t>(scene.bands)),
+      lead_bands_(static_cast<std::size_t>(scene.lead_bands > 0 ? scene.lead_bands : scene.bands)),
       width_(cluster_light_size(bands_)),
       rows_(tree.nodes().size() * width_, 0.0),
       emitted_(tree.nodes().size() * directions * bands_, 0.0) {
@@ -55,7 +57,7 @@ BuildingLight::BuildingLight(const BuildingTree& tree, const Scene& scene,
     for (const ClusterPolygon& polygon : cluster.polygons) {
       const Spectrum& exitance = scene.surfaces[polygon.surface.index()].exitance;
       const double m2 = area_m2(polygon.polygon);
-      add_polygon(light, bands_, normal(polygon.polygon), m2, exitance, 1, exitance);
+      add_polygon(light, bands_, normal(polygon.polygon), m2, lead_bands_, exitance, 1, exitance);
       const double emitted = m2 * *std::max_element(exitance.begin(), exitance.end());
       polygons_.push_back({plane_of(polygon.polygon), centroid(polygon.polygon),
                            static_cast<float>(m2), static_cast<float>(emitted),
@@ -140,15 +142,31 @@ double BuildingLight::radiosity(std::uint32_t node, const Vec3& w) const {
 }
 
 double BuildingLight::reflected(std::uint32_t node, std::size_t band, const Vec3& w) const {
+  const double m2 = tree_.facing_m2(node, w);
+  return m2 > 0.0 ? std::max(0.0, reflected_toward(node, band, axis_shares(w)) / m2) : 0.0;
+}
+
+void BuildingLight::reflected(std::uint32_t node, const Vec3& w, std::span<double> out,
+                              std::size_t step) const {
   const std::array<double, directions> share = axis_shares(w);
+  const double m2 = tree_.facing_m2(node, w);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    const bool none = m2 <= 0.0 || (b >= lead_bands_ && out[b % lead_bands_ * step] == 0.0);
+    const double radiosity = none ? 0.0 : reflected_toward(node, b, share) / m2;
+    out[b * step] = b < lead_bands_ ? std::max(0.0, radiosity) : radiosity;
+  }
+}
+
+/// The reflected power towards a direction with these shares of the axes.
+double BuildingLight::reflected_toward(std::uint32_t node, std::size_t band,
+                                       const std::array<double, directions>& share) const {
   const std::span<const double> light = row(node);
   const double* emitted = emitted_row(node);
   double power = 0.0;
   for (std::size_t k = 0; k < directions; ++k) {
     power += share[k] * (light[k * bands_ + band] - emitted[k * bands_ + band]);
   }
-  const double m2 = tree_.facing_m2(node, w);
-  return m2 > 0.0 ? std::max(0.0, power / m2) : 0.0;
+  return power;
 }
 
 double BuildingLight::emitted(std::uint32_t node, std::size_t band) const {

@@ -41,6 +41,8 @@ class BuildingLight {
   double radiosity(std::uint32_t node, const Vec3& w) const;
   /// Returns the reflected part of that radiosity, in a band.
   double reflected(std::uint32_t node, std::size_t band, const Vec3& w) const;
+  /// Writes that of all bands; 0 where it is below zero in the band's lead band.
+  void reflected(std::uint32_t node, const Vec3& w, std::span<double> out, std::size_t step) const;
   /// Returns the mean exitance of the node's polygons, whichever way they face, in a band.
   double emitted(std::uint32_t node, std::size_t band) const;
   /// Returns what the node sends to direction w: its radiosity times the area that faces w, worst
@@ -84,6 +86,8 @@ class BuildingLight {
   const BuildingTree& tree() const { return tree_; }
 
  private:
+  double reflected_toward(std::uint32_t node, std::size_t band,
+                          const std::array<double, directions>& share) const;
   void share_reflected(ClusterId cluster);
   void make_draw(std::uint32_t node, double mean);
   const double* emitted_row(std::uint32_t node) const {
@@ -95,7 +99,7 @@ class BuildingLight {
   std::span<double> row(std::uint32_t node) { return {rows_.data() + node * width_, width_}; }
 
   const BuildingTree& tree_;
-  std::size_t bands_, width_;
+  std::size_t bands_, lead_bands_, width_;
   std::vector<double> rows_;            ///< ClusterLight of each node
   std::vector<double> emitted_;         ///< per node: power by direction and band that it emits
   std::vector<Draw> draws_;             ///< by node

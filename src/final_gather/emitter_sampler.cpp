@@ -25,7 +25,7 @@ constexpr double negligible = 1e-6;
 double largest_radiosity(const PatchForest& f, std::size_t k) {
   const auto terms = static_cast<std::size_t>(f.terms());
   double largest = 0.0;
-  for (std::size_t i = 0; i < f.radiosity(k).size(); i += terms) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.lead_bands()) * terms; i += terms) {
     largest = std::max(largest, f.radiosity(k)[i]);
   }
   return largest;

@@ -62,7 +62,7 @@ struct PointGather::Impl {
   const Occluders* occluders;
   PointGatherConfig config;
   EmitterSampler emitters;
-  std::size_t bands;
+  std::size_t bands, lead_bands;
   Spectrum mean_irradiance;
 
   void add_lights(const LitPlace& place, Spectrum& e, Spectrum& variance) const;
@@ -217,7 +217,7 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     noisy = false;
     for (std::size_t b = 0; b < bands; ++b) {
       of_rays[b] += more[b];
-      noisy |= least > 0.0 &&
+      noisy |= least > 0.0 && b < lead_bands &&
                std::sqrt(of_rays[b]) / rounds >
                    std::max(least * (e[b] + sum[b] / rounds), unseen_noise * mean_irradiance[b]);
     }
@@ -237,6 +237,7 @@ PointGather::PointGather(std::span<const ClusterState> clusters,
     : impl_(std::make_unique<Impl>(
           Impl{clusters, lights, &occluders, config, EmitterSampler(clusters, occluders),
                clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()),
+               clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].patches().lead_bands()),
                mean_over(clusters)})) {}
 
 PointGather::~PointGather() = default;

@@ -197,8 +197,7 @@ void Gatherer::receive(const Link& link, std::span<const float> transport,
                        const PatchForest* shooter, AggregateFlow* flow) {
   const double variation = light_.read(link, shooter);
   const std::span<const double> means = light_.means();
-  double top = 0.0;
-  for (const double mean : means) top = std::max(top, std::abs(mean));
+  const double top = light_.most();
   const double importance = refinement_.importance(link.receiver);
   result_.figures.link_error_power += importance * (link.error * top + link.variation * variation);
   result_.figures.visibility_uncertainty_power += importance * link.visibility_error() * top;
@@ -235,7 +234,7 @@ GatherResult Gatherer::finish() {
   if (changed_) receiver_.links() = std::move(refined_);
   if (far_flow_) result_.coarse.far = far_flow_->entries(*shooters_.unknowns);
   if (config_.close_rows) close_rows();
-  push_pull(receiver_, light_.irradiance(), result_.figures, result_.coarse);
+  push_pull(receiver_, light_.irradiance(), config_.relaxation, result_.figures, result_.coarse);
   result_.figures.error_samples = samples_.compare(receiver_);
   result_.figures.patches = receiver_.patches().size();
   result_.figures.links = receiver_.links().size();

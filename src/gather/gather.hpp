@@ -28,6 +28,9 @@ struct GatherConfig {
   /// zero: loses), so that power is conserved over the whole scene
   /// (solver/energy_conservation.hpp). Empty = none.
   Spectrum flux_correction;
+  /// The light of shares (Scene::lead_bands) changes by this factor times the change that the
+  /// gather finds; that of the lead bands not at all. Without shares, all light is as gathered.
+  double relaxation = 1.0;
   ErrorSampleConfig error_samples;  ///< by default there are none
 };
 

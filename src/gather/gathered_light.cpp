@@ -1,6 +1,7 @@
 #include "gather/gathered_light.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "far_field/far_view.hpp"
 
@@ -24,6 +25,13 @@ double GatheredLight::read(const Link& link, const PatchForest* shooter) {
   return variation;
 }
 
+double GatheredLight::most() const {
+  double most = 0.0;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(receiver_.lead_bands()); ++b)
+    most = std::max(most, std::abs(means_[b]));
+  return most;
+}
+
 /// Where a linear shooting patch has not been made by its owner, light_ is its ancestor's affine
 /// function about the patch's own centroid.
 double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
@@ -32,10 +40,8 @@ double GatheredLight::read_light(const Link& link, const PatchForest* shooter) {
   if (link.is_far()) {
     const std::uint32_t node = link.shooter.group();
     const Vec3 toward = unfold_direction({link.shooter_x, link.shooter_y});
-    for (std::size_t b = 0; b < bands_; ++b) {
-      light_[b * terms_] = far_->reflected(node, b, toward);
-      emitted_.push_back(far_->emitted(node, b));
-    }
+    far_->reflected(node, toward, light_, terms_);
+    for (std::size_t b = 0; b < bands_; ++b) emitted_.push_back(far_->emitted(node, b));
     return far_->deviation(node);
   }
   if (shooter == nullptr) {

@@ -25,6 +25,8 @@ class GatheredLight {
   /// Returns the light of the shooter read last: mean radiosity per band, or a point light's
   /// intensity.
   std::span<const double> means() const { return means_; }
+  /// Returns the largest of these, without sign, of the lead bands.
+  double most() const;
   /// Returns the reflected radiosity of a far shooter read last.
   double reflected(std::size_t band) const { return light_[band * terms_]; }
   /// Adds the light read last, by the link's transport, to the irradiance of its receiver.

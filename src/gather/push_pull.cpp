@@ -66,15 +66,37 @@ void add_change(const PatchForest& patches, std::span<const double> before,
   figures.change_power = *std::max_element(change.begin(), change.end());
 }
 
+/// Changes the shares' irradiance by `relaxation` times the change that was gathered (Richardson's
+/// iteration). The lead bands stay as they are.
+void relax_shares(PatchForest& patches, std::span<const double> gathered, double relaxation) {
+  const auto bands = static_cast<std::size_t>(patches.bands()),
+             terms = static_cast<std::size_t>(patches.terms());
+  std::vector<double> pushed(gathered.begin(), gathered.end());
+  patches.push(pushed, bands * terms, patches.bands());
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    if (!patches.node(n).leaf()) continue;
+    const std::span<double> irradiance = patches.irradiance(n);
+    for (std::size_t i = static_cast<std::size_t>(patches.lead_bands()) * terms; i < bands * terms;
+         ++i) {
+      irradiance[i] += relaxation * (pushed[n * bands * terms + i] - irradiance[i]);
+    }
+  }
+  patches.pull();
+}
+
 }  // namespace
 
-void push_pull(ClusterState& receiver, std::span<const double> gathered, IterationFigures& figures,
-               CoarseRow& row) {
+void push_pull(ClusterState& receiver, std::span<const double> gathered, double relaxation,
+               IterationFigures& figures, CoarseRow& row) {
   PatchForest& patches = receiver.patches();
   const auto bands = static_cast<std::size_t>(patches.bands());
   const std::vector<double> before(patches.radiosities().begin(), patches.radiosities().end());
   row.before = arriving_power(receiver);
-  patches.push_pull(gathered);
+  if (patches.lead_bands() < patches.bands()) {
+    relax_shares(patches, gathered, relaxation);
+  } else {
+    patches.push_pull(gathered);
+  }
   figures.work.push_pulls += patches.size();
   add_change(patches, before, figures);
   row.after = arriving_power(receiver);

@@ -10,9 +10,9 @@
 namespace enfilade {
 
 /// Pushes `gathered` (irradiance at every node, indexed like the light) to the leaves and pulls it
-/// up. Sets the figures of change, received, arriving, absorbed and escaping power, and the powers
-/// (not the entries) of the coarse row.
-void push_pull(ClusterState& receiver, std::span<const double> gathered, IterationFigures& figures,
-               CoarseRow& row);
+/// up; `relaxation`: GatherConfig::relaxation. Sets the figures of change, received, arriving,
+/// absorbed and escaping power, and the powers (not the entries) of the coarse row.
+void push_pull(ClusterState& receiver, std::span<const double> gathered, double relaxation,
+               IterationFigures& figures, CoarseRow& row);
 
 }  // namespace enfilade

@@ -40,6 +40,7 @@ RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far)
     : receiver_(receiver),
       far_(far),
       bands_(static_cast<std::size_t>(receiver.bands())),
+      lead_bands_(static_cast<std::size_t>(receiver.patches().lead_bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
       at_(terms_, bands_) {}
 
@@ -68,7 +69,7 @@ void RowClosure::add(std::size_t node, const Addition& addition, std::span<const
       to[at_.far_light + b] += addition.far_gain * reflected[b];
   }
   double top = 0.0;  // by the links' errors, light is negative in places
-  for (const double l : light) top = std::max(top, std::abs(l));
+  for (const double l : light.first(lead_bands_)) top = std::max(top, std::abs(l));
   const double varies = top > 0.0 ? addition.uncertainty_of_variation / top : 0.0;
   for (std::size_t b = 0; b < bands_; ++b) {
     to[at_.uncertain_light + b] += addition.uncertainty * light[b];
@@ -128,15 +129,18 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
                                             WorkCount& work) {
   PatchForest& patches = receiver_.patches();
   const auto is_lit = [this](const PolygonRef& polygon) { return lit(polygon); };
-  patches.forget_enclosed_shares_below(
-      far_ == nullptr ? lit_in_view_
-                      : static_cast<std::uint32_t>(far_->lit_polygons(BuildingTree::root)));
+  const bool frozen = lead_bands_ < bands_;  // the light that shares are of has measured them
+  if (!frozen) {
+    patches.forget_enclosed_shares_below(
+        far_ == nullptr ? lit_in_view_
+                        : static_cast<std::uint32_t>(far_->lit_polygons(BuildingTree::root)));
+  }
   std::vector<char> open(patches.polygons(), 0);
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
     if (patches.unreachable(node.id.root)) patches.set_enclosed_share(n, 0.0f);
-    if (patches.enclosed_share(n) < 0.0f) {
+    if (patches.enclosed_share(n) < 0.0f && !frozen) {
       patches.set_enclosed_share(
           n, static_cast<float>(enclosed_share(receiver_, node, rings, occluders, is_lit, work)));
     }
@@ -172,17 +176,17 @@ double RowClosure::own_radiosity(std::size_t leaf, std::size_t band, double beyo
                                  double arrived) const {
   const PolygonFrame& frame = receiver_.patches().frames()[receiver_.patches().node(leaf).id.root];
   const double rho = frame.reflectance[band];
-  return (rho * std::max(0.0, arrived) + frame.exitance[band]) /
-         (1.0 - rho * std::min(beyond, 1.0));
+  return (rho * arrived + frame.exitance[band]) / (1.0 - rho * std::min(beyond, 1.0));
 }
 
 /// Within the links' uncertainty, the missing share of the hemisphere shows the mean light of the
 /// links, weighted by their uncertainty. The excess beyond it is light that no link represents, as
 /// between panels that nearly touch; it is given the lower of the links' mean radiosity and the
-/// leaf's own.
+/// leaf's own: to its shares, as to the lead band that they are of.
 void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
-                             std::span<const double> arrived, std::vector<double>& gathered) const {
+                             std::span<const double> arrived, std::vector<double>& gathered) {
   const double* sums = row(leaf);
+  lead_beyond_.resize(lead_bands_);
   for (std::size_t b = 0; b < bands_; ++b) {
     const std::size_t at = (leaf * bands_ + b) * terms_;
     double* to = gathered.data() + at;
@@ -190,8 +194,12 @@ void RowClosure::add_missing(std::size_t leaf, const Deficit& deficit,
     const double within = deficit.within() * light;
     to[0] += within;
     if (deficit.beyond > 0.0) {
-      const double own = own_radiosity(leaf, b, deficit.beyond, arrived[at] + within);
-      to[0] += deficit.beyond * std::min(light, own);
+      Beyond& lead = lead_beyond_[b % lead_bands_];
+      if (b < lead_bands_) lead.dark = arrived[at] + within < 0.0;
+      const double own =
+          own_radiosity(leaf, b, deficit.beyond, lead.dark ? 0.0 : arrived[at] + within);
+      if (b < lead_bands_) lead.own = own < light;
+      to[0] += deficit.beyond * (lead.own ? own : light);
     }
     if (terms_ == 3) {  // the target is the same all over the leaf
       to[1] -= deficit.gain * sums[1] * light;

@@ -85,18 +85,24 @@ class RowClosure {
   Deficit deficit(std::size_t leaf, bool open, double rays) const;
   double own_radiosity(std::size_t leaf, std::size_t band, double beyond, double arrived) const;
   void add_missing(std::size_t leaf, const Deficit& deficit, std::span<const double> arrived,
-                   std::vector<double>& gathered) const;
+                   std::vector<double>& gathered);
   void take_excess(std::size_t leaf, const Deficit& deficit, std::vector<double>& gathered) const;
   void limit_gain(std::size_t leaf, double added, std::vector<double>& gathered) const;
 
+  /// Of the light beyond the links' uncertainty at the leaf at hand.
+  struct Beyond {
+    bool dark = false;  ///< nothing arrives at the leaf
+    bool own = false;   ///< it is the leaf's own radiosity
+  };
   bool lit(const PolygonRef& polygon) const;
 
   ClusterState& receiver_;
   const BuildingLight* far_;
-  std::size_t bands_, terms_;
+  std::size_t bands_, lead_bands_, terms_;
   Columns at_;
-  std::vector<double> rows_;  ///< per node
-  std::vector<char> lit_;     ///< the shooters' polygons, one shooter after the other
+  std::vector<double> rows_;         ///< per node
+  std::vector<Beyond> lead_beyond_;  ///< per lead band
+  std::vector<char> lit_;            ///< the shooters' polygons, one shooter after the other
   std::vector<std::pair<ClusterId, std::size_t>> lit_from_;  ///< by shooter: its first in lit_
   std::uint32_t lit_in_view_ = 0;                            ///< number of lit polygons
 };

@@ -113,7 +113,7 @@ Link read_link(ByteReader& r) {
 }  // namespace
 
 void ClusterCodec::write_geometry(const PatchForest& f, ByteWriter& w) {
-  put_record(w, std::int32_t{f.bands_}, std::int32_t{f.terms_});
+  put_record(w, std::int32_t{f.bands_}, std::int32_t{f.lead_bands_}, std::int32_t{f.terms_});
   put_count(w, f.frames_.size());
   for (const PolygonFrame& frame : f.frames_) write_frame(frame, w);
   for (std::size_t k = 0; k < f.frames_.size(); ++k) write_root(f.nodes_[k], w);
@@ -125,6 +125,7 @@ void ClusterCodec::write_geometry(const PatchForest& f, ByteWriter& w) {
 PatchForest ClusterCodec::read_geometry(ByteReader& r) {
   PatchForest f;
   f.bands_ = r.get<std::int32_t>();
+  f.lead_bands_ = r.get<std::int32_t>();
   f.terms_ = r.get<std::int32_t>();
   f.frames_.resize(r.get_count(least_polygon_bytes));
   for (PolygonFrame& frame : f.frames_) frame = read_frame(r);

@@ -16,7 +16,7 @@ namespace enfilade {
 /// list is its length (u64), then its elements. The functions that read throw RunError where the
 /// bytes are not such a section.
 ///
-///     geometry  cluster u32, cell u32, basis u8 (by ClusterState); bands i32, terms i32
+///     geometry  cluster u32, cell u32, basis u8 (by ClusterState); bands, lead bands, terms i32
 ///               polygons: surface u32; origin, u, v, n 3 f64 each; reflectance, exitance (lists of
 ///                 f64); mesh lines (list of 4 f64)
 ///               outline of each polygon: root u32, path u32, vertices (list of 2 f64)

@@ -36,7 +36,8 @@ ClusterState::ClusterState(const Cluster& cluster, const Scene& scene, Basis bas
       cell_(cluster.cell),
       bands_(scene.bands),
       basis_(basis),
-      patches_(cluster, frames_of(cluster, scene), scene.bands, static_cast<int>(basis)),
+      patches_(cluster, frames_of(cluster, scene), scene.bands, static_cast<int>(basis),
+               scene.lead_bands),
       aggregates_(patches_, aggregates),
       links_(link_stride(basis)) {
   shrink();

@@ -27,8 +27,12 @@ PolygonFrame frame_on(const Polygon& polygon) {
 }
 
 PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands,
-                         int terms)
-    : bands_(bands), terms_(terms), frames_(std::move(frames)), order_(frames_.size()) {
+                         int terms, int lead_bands)
+    : bands_(bands),
+      terms_(terms),
+      lead_bands_(lead_bands > 0 ? lead_bands : bands),
+      frames_(std::move(frames)),
+      order_(frames_.size()) {
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     PatchOutline corners;
     for (const Vec3& p : cluster.polygons[k].polygon) corners.push_back(frames_[k].project(p));
@@ -42,12 +46,7 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   deviation_.assign(nodes_.size(), 0.0);
   enclosed_share_.assign(nodes_.size(), -1.0f);
   unreachable_.assign(nodes_.size(), 0);
-  for (std::size_t k = 0; k < frames_.size(); ++k) {
-    for (int band = 0; band < bands_; ++band) {
-      radiosity(k)[static_cast<std::size_t>(band * terms_)] =
-          frames_[k].exitance[static_cast<std::size_t>(band)];
-    }
-  }
+  for (std::size_t k = 0; k < frames_.size(); ++k) reflect(k);  // no irradiance yet
   std::iota(order_.begin(), order_.end(), 0u);
   if (frames_.size() > 1) build_group(0, static_cast<std::uint32_t>(order_.size()));
   pull_groups();

@@ -83,11 +83,16 @@ class PatchForest {
  public:
   PatchForest() = default;
   /// Makes one patch per polygon with radiosity = exitance, and the groups above the polygons.
-  PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands, int terms);
+  /// `lead_bands`: as Scene::lead_bands.
+  PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frames, int bands, int terms,
+              int lead_bands = 0);
 
   std::size_t size() const { return nodes_.size(); }
   int bands() const { return bands_; }
   int terms() const { return terms_; }
+  /// Returns the number of bands by whose light alone is decided what deviates and what is lit; the
+  /// further ones are shares of it.
+  int lead_bands() const { return lead_bands_; }
   const PatchNode& node(std::size_t i) const { return nodes_[i]; }
   std::span<const PolygonFrame> frames() const { return frames_; }
   std::span<const GroupNode> groups() const { return groups_; }
@@ -192,7 +197,7 @@ class PatchForest {
     return static_cast<std::size_t>(bands_) * static_cast<std::size_t>(terms_);
   }
 
-  int bands_ = 1, terms_ = 1;
+  int bands_ = 1, terms_ = 1, lead_bands_ = 1;
   std::vector<PolygonFrame> frames_;
   std::vector<PatchNode> nodes_;
   std::vector<GroupNode> groups_;

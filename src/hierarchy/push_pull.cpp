@@ -132,7 +132,7 @@ void PatchForest::pull_node(std::size_t parent) {
     }
     const double square = split.mean_square_misfit(light, terms_, value, gradient);
     const double rho = frame.reflectance[static_cast<std::size_t>(band)];
-    worst = std::max(worst, rho * rho * square);
+    if (band < lead_bands_) worst = std::max(worst, rho * rho * square);
   }
   for (int side = 0; side < 2; ++side) {
     worst += split.weight[side] * deviation_[child[side]] * deviation_[child[side]];
@@ -157,9 +157,8 @@ void PatchForest::find_lit() {
   lit_.assign(polygons(), 0);
   lit_polygons_ = 0;
   for (std::size_t k = 0; k < polygons(); ++k) {
-    for (std::size_t at = k * stride(); at < (k + 1) * stride();
-         at += static_cast<std::size_t>(terms_))
-      if (radiosity_[at] > 0.0) lit_[k] = 1;
+    for (int band = 0; band < lead_bands_; ++band)
+      if (radiosity_[k * stride() + static_cast<std::size_t>(band * terms_)] > 0.0) lit_[k] = 1;
     lit_polygons_ += static_cast<std::uint32_t>(lit_[k]);
   }
 }
@@ -181,10 +180,9 @@ void PatchForest::pull_groups() {
       }
       const double mean = group.area_m2 > 0.0 ? sum / group.area_m2 : 0.0;
       group_radiosity_[g * bands + band] = mean;
+      if (group.area_m2 <= 0.0 || band >= static_cast<std::size_t>(lead_bands_)) continue;
       group_deviation_[g] = std::max(
-          group_deviation_[g],
-          std::sqrt(group.area_m2 > 0.0 ? std::max(0.0, square / group.area_m2 - mean * mean)
-                                        : 0.0));
+          group_deviation_[g], std::sqrt(std::max(0.0, square / group.area_m2 - mean * mean)));
     }
   }
 }

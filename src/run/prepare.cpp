@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/checksum.hpp"
@@ -174,6 +175,30 @@ RunMark mark_of_prepared(const std::string& run_directory) {
 }
 
 }  // namespace
+
+void prepare_relit(const Scene& scene, const std::string& from, const std::string& run_directory,
+                   RunLock& lock) {
+  RunMark mark = mark_of_prepared(from);
+  std::map<std::string, std::string> kept;
+  for (const auto& [name, sum] : mark.files)
+    if (name != "scene.json") kept[name] = read_prepared_file(from, name, mark);
+  std::error_code missing;
+  const bool in_place = std::filesystem::equivalent(from, run_directory, missing);
+  check_run_directory(run_directory);
+  claim_run_directory(run_directory, lock);
+  const std::string before = run_directory + "/before-relight";
+  remove_directory(before);
+  if (in_place) {
+    make_directory(before);
+    move_file(run_directory + "/common", before + "/common");
+  }
+  for (const char* name : {"/common", "/local", "/costs"}) remove_directory(run_directory + name);
+  mark.files.clear();
+  keep_scene(scene, run_directory, mark);
+  for (const auto& [name, bytes] : kept) keep_prepared_file(run_directory, name, bytes, mark);
+  mark.scene_hash = scene.hash;
+  write_run_mark(run_directory, mark);
+}
 
 std::string scene_text(const std::string& run_directory) {
   return read_prepared_file(run_directory, "scene.json", mark_of_prepared(run_directory));

@@ -27,6 +27,12 @@ void keep_visibility(Prepared& prepared, const std::string& run_directory,
 Prepared load_prepared(const std::string& run_directory);
 /// Returns the scene file as RUN keeps it. Throws as load_prepared().
 std::string scene_text(const std::string& run_directory);
+/// Prepares RUN as `from` is prepared, for a scene of the same geometry with other lamps or
+/// reflectances. Where both are one directory, its solution moves to RUN/before-relight; else a
+/// solution that RUN held is removed. `lock` gets RUN locked to write. Throws InputError as
+/// prepare(), before anything is written.
+void prepare_relit(const Scene& scene, const std::string& from, const std::string& run_directory,
+                   RunLock& lock);
 /// True where `run_directory` is prepared for the scene with this hash, and with this
 /// configuration.
 bool is_prepared(const std::string& run_directory, std::uint64_t scene_hash,

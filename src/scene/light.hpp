@@ -50,6 +50,7 @@ struct LightSource {
   std::string name{};
   std::optional<SpotCone> cone{};  ///< of a spot light
   LuminousOpening shape{};         ///< of a luminaire: what `opening` is made of
+  std::string switch_name{};       ///< of the switch that it is on; may be empty
 };
 
 /// Returns the intensity towards w (of any length but 0), relative to the mean.

@@ -46,6 +46,7 @@ void make_lights(Scene& scene) {
     light.p += lift_m * light.frame.aim;
     light.distribution = surface.distribution;
     light.name = surface.name;
+    light.switch_name = surface.switch_name.empty() ? surface.object : surface.switch_name;
     for (double& band : surface.exitance) {
       light.intensity.push_back(area * band / (4.0 * std::numbers::pi));
       band = 0.0;

@@ -24,7 +24,8 @@ struct Surface {
   /// How the light that it emits is distributed, its aim along the normal; null: as from a dull
   /// (Lambertian) surface. The exitance is the flux per area all the same.
   std::shared_ptr<const IntensityDistribution> distribution{};
-  Vec3 up{0.0};  ///< of the distribution, about; 0 for any
+  Vec3 up{0.0};               ///< of the distribution, about; 0 for any
+  std::string switch_name{};  ///< of what it emits; may be empty
 };
 
 /// A place where irradiance is computed: on a plane through p with normal n.
@@ -42,6 +43,9 @@ const char* irradiance_label(ExitanceUnit unit);
 struct Scene {
   std::string file;  ///< where it was read from, for messages
   int bands = 1;     ///< every spectrum has this many values
+  /// By the first so many of the bands alone is decided whatever depends on how much light there
+  /// is; the further ones are shares of their light (shares/share_scene.hpp). 0 = all bands.
+  int lead_bands = 0;
   /// Per band of the file, where its value lies in the spectra; empty = as they are
   /// (scene/equal_bands.hpp).
   std::vector<std::size_t> band_of;

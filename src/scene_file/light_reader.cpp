@@ -56,17 +56,19 @@ LightSource LightReader::read_light(const json& entry, const std::string& where)
   LightSource light;
   light.p = keys_.place(keys_.need(entry, "p", where), where + ".p", scale_);
   if (entry.contains("name")) light.name = keys_.text(entry["name"], where + ".name");
-  const std::string name = light.name;
+  if (entry.contains("switch")) light.switch_name = keys_.text(entry["switch"], where + ".switch");
+  const std::string name = light.name, switch_name = light.switch_name;
   const bool by_flux = !entry.contains("intensity") && entry.contains("flux");
   Spectrum given = light_of(entry, by_flux ? "flux" : "intensity", where);
   if (!spot) {
-    note_unknown(entry, "lights", {"type", "p", "intensity", "flux", "name", "distribution"});
+    note_unknown(entry, "lights",
+                 {"type", "p", "intensity", "flux", "name", "switch", "distribution"});
     for (double& band : given) band /= by_flux ? 4.0 * pi : 1.0;
     light.intensity = std::move(given);
     return light;
   }
   note_unknown(entry, "lights",
-               {"type", "p", "intensity", "flux", "name", "distribution", "direction",
+               {"type", "p", "intensity", "flux", "name", "switch", "distribution", "direction",
                 "innerConeAngle", "outerConeAngle"});
   const auto angle = [&](const char* key, double otherwise) {
     return entry.contains(key) ? keys_.finite(entry[key], where + "." + key) : otherwise;
@@ -80,6 +82,7 @@ LightSource LightReader::read_light(const json& entry, const std::string& where)
       keys_.direction(keys_.need(entry, "direction", where), where + ".direction");
   light = spot_light(light.p, direction, given, cone);
   light.name = name;
+  light.switch_name = switch_name;
   if (by_flux) {
     for (std::size_t b = 0; b < given.size(); ++b) light.intensity[b] = given[b] / (4.0 * pi);
   }
@@ -128,13 +131,14 @@ void LightReader::read_luminaires(json& document, Scene& scene) {
 }
 
 void LightReader::read_luminaire(json& entry, const std::string& where, Scene& scene) {
-  note_unknown(
-      entry, "luminaires",
-      {"file", "distribution", "p", "aim", "up", "size", "flux", "name", "type", "flux_lm"});
+  note_unknown(entry, "luminaires",
+               {"file", "distribution", "p", "aim", "up", "size", "flux", "name", "switch", "type",
+                "flux_lm"});
   LightSource light;
   light.p = keys_.place(keys_.need(entry, "p", where), where + ".p", scale_);
   light.frame = frame_of(entry, where);
   if (entry.contains("name")) light.name = keys_.text(entry["name"], where + ".name");
+  if (entry.contains("switch")) light.switch_name = keys_.text(entry["switch"], where + ".switch");
   Spectrum flux;
   if (entry.contains("flux")) flux = light_of(entry, "flux", where);
   if (const DistributionSource::Found* found = distributions_.find(entry, where)) {

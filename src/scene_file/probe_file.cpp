@@ -44,6 +44,7 @@ void write_probe_answers(const ProbeFile& source, const std::string& path,
   for (std::size_t i = 0; i < answers.size(); ++i) {
     probes[i]["E"] = answers[i].irradiance;
     probes[i]["error"] = answers[i].error;
+    for (const auto& [name, light] : answers[i].shares) probes[i]["shares"][name] = light;
   }
   write_file_atomically(
       path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

@@ -140,10 +140,10 @@ class TableReader {
 };
 
 /// "E" of one band; "E_0", "E_1", ... of several.
-std::string band_columns(const char* name, std::size_t bands) {
-  if (bands == 1) return std::string(",") + name;
+std::string band_columns(const std::string& name, std::size_t bands) {
+  if (bands == 1) return "," + csv_field(name);
   std::string columns;
-  for (std::size_t b = 0; b < bands; ++b) columns += fmt::format(",{}_{}", name, b);
+  for (std::size_t b = 0; b < bands; ++b) columns += "," + csv_field(fmt::format("{}_{}", name, b));
   return columns;
 }
 
@@ -182,13 +182,19 @@ std::string probe_table(const ProbeFile& source, const std::vector<ProbeAnswer>&
   const ProbeTable& table = source.table.columns.empty() ? made : source.table;
   const std::size_t bands = answers[0].irradiance.size();
   std::string csv =
-      table.header + band_columns("E", bands) + band_columns("error", bands) + ",unit,from\n";
+      table.header + band_columns("E", bands) + band_columns("error", bands) + ",unit,from";
+  for (const auto& [name, light] : answers[0].shares) csv += band_columns("E by " + name, bands);
+  csv += "\n";
   for (std::size_t i = 0; i < answers.size(); ++i) {
     csv += table.lines[i];
     for (const Spectrum* light : {&answers[i].irradiance, &answers[i].error}) {
       for (const double value : *light) csv += fmt::format(",{:.9g}", value);
     }
-    csv += "," + unit + "," + from + "\n";
+    csv += "," + unit + "," + from;
+    for (const auto& [name, light] : answers[i].shares) {
+      for (const double value : light) csv += fmt::format(",{:.9g}", value);
+    }
+    csv += "\n";
   }
   return csv;
 }

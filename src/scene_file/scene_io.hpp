@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -21,6 +23,8 @@ void write_scene(const Scene& scene, const std::string& path);
 struct ProbeAnswer {
   Spectrum irradiance;
   Spectrum error;  ///< one standard deviation
+  /// The irradiance by each share of the light, with its name; empty where none was asked for.
+  std::vector<std::pair<std::string, Spectrum>> shares{};
 };
 
 /// What a probe file holds that is a table (CSV).
@@ -45,11 +49,12 @@ struct ProbeFile {
 ProbeFile read_probes(const std::string& path);
 /// Writes the probes of `source` with their answers, as a table where `path` ends in .csv, else as
 /// JSON.
-/// JSON: "E" and "error" (per band) are added to each probe, and "from" and "unit" beside them. All
+/// JSON: "E" and "error" (per band) are added to each probe, with the shares as
+/// "shares": {NAME: per band}, and "from" and "unit" beside them. All
 /// other keys of the source's text are kept, but a scene's surfaces and lights; "exitanceUnits",
 /// where it is there, becomes the unit's name. A table's other columns become keys.
 /// Table: the source's columns as they are (of a JSON source x, y, z, nx, ny, nz and name), then E
-/// and error (E_0, E_1, ..., error_0, ... of several bands), unit and from.
+/// and error (E_0, E_1, ..., error_0, ... of several bands), unit and from, then "E by NAME".
 void write_probe_answers(const ProbeFile& source, const std::string& path,
                          const std::vector<ProbeAnswer>& answers, const std::string& from,
                          ExitanceUnit unit);

@@ -111,6 +111,8 @@ class SceneReader {
         note_bands(surface.exitance, where + ".exitance");
       } else if (key == "object") {
         surface.object = keys_.text(*it, where + ".object");
+      } else if (key == "switch") {
+        surface.switch_name = keys_.text(*it, where + ".switch");
       } else if (key == "two_sided") {
         surface.two_sided = keys_.flag(*it, where + ".two_sided");
       } else if (key != "vertices" && key != "name" && key != "distribution" && key != "up") {

@@ -61,7 +61,8 @@ void append_surface(std::string& text, const Surface& surface, DistributionNames
   append_spectrum(text, surface.exitance);
   for (const auto& [key, value] :
        {std::pair<const char*, const std::string&>{",\"name\":", surface.name},
-        {",\"object\":", surface.object}}) {
+        {",\"object\":", surface.object},
+        {",\"switch\":", surface.switch_name}}) {
     if (value.empty()) continue;
     text += key;
     append_text(text, value);
@@ -85,9 +86,12 @@ Spectrum times(const Spectrum& light, double factor) {
 }
 
 void append_name(std::string& text, const LightSource& light) {
-  if (light.name.empty()) return;
-  text += ",\"name\":";
-  append_text(text, light.name);
+  for (const auto& [key, value] : {std::pair<const char*, const std::string&>{"name", light.name},
+                                   {"switch", light.switch_name}}) {
+    if (value.empty()) continue;
+    text += std::string(",\"") + key + "\":";
+    append_text(text, value);
+  }
 }
 
 /// A point or a spot light; of the latter the intensity on its axis, and the flux.

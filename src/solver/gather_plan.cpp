@@ -30,6 +30,7 @@ GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& sett
   config.coarse_row = method.coarse_correction;
   config.close_rows = plan.close_rows;
   config.flux_correction = plan.flux_correction;
+  config.relaxation = plan.relaxation;
   if (plan.sample) config.error_samples = error_samples(plan, area_m2);
   config.error_samples.importance = importance;
   config.refinement.link_tolerance = plan.link_tolerance;

@@ -21,6 +21,7 @@ struct IterationPlan {
   bool sample = false;          ///< sample the error: ErrorSamples
   int sample_rays = 0;          ///< per sampled point
   double received_power = 0.0;  ///< power received in the previous iteration
+  double relaxation = 1.0;      ///< GatherConfig::relaxation
   Spectrum flux_correction;     ///< GatherConfig::flux_correction
   bool finished = false;        ///< there is no such iteration: the run ends
   bool converged = false;       ///< it ends because it is good enough, not because it gave up

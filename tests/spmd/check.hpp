@@ -43,6 +43,9 @@ void solve_in_little_memory(Context& context);
 void replay_rooms(Context& context);
 void schemes_give_the_sequential_light(Context& context);
 void far_light_is_the_sequential_one(Context& context);
+void shares_sum_to_the_light(Context& context);
+void shares_of_a_tree_sum_to_the_light(Context& context);
+void relit_rooms_are_the_solved_ones(Context& context);
 void queue_of_clients(Context& context);
 void long_message(Context& context);
 

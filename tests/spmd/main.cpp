@@ -33,6 +33,9 @@ int main(int argc, char** argv) {
       {"replay_rooms", replay_rooms},
       {"schemes_give_the_sequential_light", schemes_give_the_sequential_light},
       {"far_light_is_the_sequential_one", far_light_is_the_sequential_one},
+      {"shares_sum_to_the_light", shares_sum_to_the_light},
+      {"shares_of_a_tree_sum_to_the_light", shares_of_a_tree_sum_to_the_light},
+      {"relit_rooms_are_the_solved_ones", relit_rooms_are_the_solved_ones},
       {"queue_of_clients", queue_of_clients}};
   try {
     if (argc < 3) throw std::runtime_error("usage: spmd_tests NAME DIRECTORY [--resume]");

@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/graph_file.hpp"
+#include "app/frame/option_checks.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/solved_run.hpp"
@@ -23,6 +24,7 @@ constexpr SubcommandText help_text{
 
 struct ExportOptions {
   std::string run, output;
+  RunLight light;
 };
 
 Prepared with_visibility(const std::string& run, const Progress& progress) {
@@ -41,9 +43,9 @@ void run_export(const ExportOptions& options, const Console& console) {
   check_output_file(options.output);
   RunLock lock;
   lock.read(options.run);
-  const std::string content = extension == ".json"
-                                  ? graph_json(with_visibility(options.run, console.progress()))
-                                  : solution_glb(SolvedRun(options.run).solved_scene());
+  const std::string content =
+      extension == ".json" ? graph_json(with_visibility(options.run, console.progress()))
+                           : solution_glb(SolvedRun(options.run, {}, options.light).solved_scene());
   write_file_atomically(options.output, content);
   TextTable table(options.output);
   table.add("size", format_bytes(static_cast<double>(content.size())));
@@ -54,6 +56,7 @@ void add_options(CLI::App& sub, ExportOptions& o) {
   sub.add_option("run", o.run, "RUN directory: solved for .glb, prepared for .json")->required();
   sub.add_option("-o,--output", o.output, "File to write; its ending says what: .glb or .json")
       ->required();
+  add_switch_option(sub, o.light.switches);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ constexpr SubcommandText help_text{
 struct ProbeOptions {
   std::string run, points, output, from = "gather";
   PointGatherConfig gather;
+  RunLight light;
 };
 
 void run_probe(const ProbeOptions& options, const Console& console) {
@@ -35,7 +36,7 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   const std::vector<Probe>& probes = points.probes;
   RunLock lock;
   lock.read(options.run);
-  const SolvedRun run(options.run, options.gather);
+  const SolvedRun run(options.run, options.gather, options.light);
   const ProbeAnswers found =
       irradiance_at(run, probes, probe_method(options.from), console.progress());
   write_probe_answers(points, options.output, found.answers, options.from,
@@ -43,6 +44,7 @@ void run_probe(const ProbeOptions& options, const Console& console) {
   TextTable table(options.output);
   table.add("points", with_thousands(probes.size()));
   table.add("unit", irradiance_label(run.prepared().scene.unit));
+  if (options.light.shares) table.add("shares", with_thousands(run.shares().size()));
   if (found.in_the_open > 0)
     table.add("see nothing", with_thousands(found.in_the_open) + ": no surface faces them");
   if (found.behind > 0) {
@@ -63,6 +65,10 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
          "gather: once more from all that the point sees; patches: read off the surface below it")
       ->check(CLI::IsMember({"gather", "patches"}))
       ->capture_default_str();
+  add_switch_option(sub, o.light.switches);
+  sub.add_flag("--shares", o.light.shares,
+               "Also the light by each luminaire or switch, as \"shares\": they sum to E")
+      ->excludes("--switch");
   sub.add_option("--rays", o.gather.rays, "Rays over the hemisphere that tell what a point sees")
       ->check(CLI::Range(4, 100000000))
       ->capture_default_str();

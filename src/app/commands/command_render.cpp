@@ -23,10 +23,12 @@ constexpr SubcommandText help_text{
     "render", "Make a PNG picture of a solved scene",
     "Examples:\n  enfilade render out/duplex -o room.png\n"
     "  enfilade render out/duplex -o plan.png --camera storey-1 --false-colour\n"
+    "  enfilade render out/duplex -o dusk.png --switch 'kitchen ceiling=0.3'\n"
     "  enfilade render out/duplex -o desk.png --eye 2 1 1.6 --look-at 4 3 0.8 --angle 50"};
 
 struct RenderOptions {
   std::string run, output, camera_file, camera_name;
+  RunLight light;
   std::vector<double> eye, look_at, up;
   double vertical_angle_deg = Camera{}.vertical_angle_deg;
   RenderConfig render;
@@ -81,7 +83,7 @@ void run_render(const RenderOptions& options, const Console& console) {
   check(options);
   RunLock lock;
   lock.read(options.run);
-  const SolvedRun run(options.run);
+  const SolvedRun run(options.run, {}, options.light);
   const SolvedScene solved = run.solved_scene();
   const Camera camera = choose_camera(options, run);
   const LightImage light = render(solved, camera, options.render, console.progress());
@@ -155,6 +157,7 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
 void add_options(CLI::App& sub, RenderOptions& o) {
   sub.add_option("run", o.run, "RUN directory that solve has filled")->required();
   sub.add_option("-o,--output", o.output, "PNG file to write")->required();
+  add_switch_option(sub, o.light.switches);
   add_camera_options(sub, o);
   add_picture_options(sub, o);
 }

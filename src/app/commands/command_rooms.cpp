@@ -40,6 +40,7 @@ constexpr SubcommandText help_text{
 
 struct RoomsOptions {
   std::string run, output, places;
+  RunLight light;
   RunSurvey how;
 };
 
@@ -102,7 +103,7 @@ void run_rooms(const RoomsOptions& options, const Console& console) {
   if (!options.places.empty()) places = read_glare_places(options.places);
   RunLock lock;
   lock.read(options.run);
-  const SolvedRun run(options.run);
+  const SolvedRun run(options.run, {}, options.light);
   if (!places.empty()) refuse_watts(run, options.run);
   const RoomTable table = survey_run(run, options.how, places, console.progress());
   if (table.rooms.empty()) {
@@ -119,6 +120,7 @@ void add_options(CLI::App& sub, RoomsOptions& o) {
   sub.add_option("run", o.run, "RUN directory that solve has filled")->required();
   sub.add_option("-o,--output", o.output, "File to write: .csv for a table, .html for a page")
       ->required();
+  add_switch_option(sub, o.light.switches);
   sub.add_option(
          "--height", o.how.survey.plane_m,
          "Height of the working plane above the floor, m; at most half of the room's height")

@@ -52,4 +52,12 @@ CLI::Validator whole_number() {
       "0, 1, ...");
 }
 
+void add_switch_option(CLI::App& sub, std::vector<std::string>& switches) {
+  sub.add_option("--switch", switches,
+                 "NAME=FACTOR: dim a luminaire or a switch, as 'desk lamp=0.3', or turn it off, as "
+                 "'desk lamp=0'; several times for several. The run must have shares: 'solve "
+                 "--shares'")
+      ->allow_extra_args(false);
+}
+
 }  // namespace enfilade

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace enfilade {
 
@@ -15,5 +17,8 @@ CLI::Validator number_between(double low, double high);
 CLI::Validator share_of_one();
 /// A whole number of at most 19 digits, the first no idle 0: a seed.
 CLI::Validator whole_number();
+
+/// Adds --switch NAME=FACTOR, which may stand several times, of a run that has shares.
+void add_switch_option(CLI::App& sub, std::vector<std::string>& switches);
 
 }  // namespace enfilade

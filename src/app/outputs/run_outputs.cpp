@@ -140,9 +140,10 @@ bool has_run_outputs(const RunOutputs& outputs, const Scene& scene) {
 
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
-  for (const char* name : {"stats.json", "reports.json", "history.json", "warnings.json",
-                           "assignment.json", "probes.json", "rooms.csv", "surfaces.csv",
-                           "solution.glb", "report.html", "walk.html", "trace.paje", "pictures"}) {
+  for (const char* name :
+       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json",
+        "probes.json", "rooms.csv", "surfaces.csv", "solution.glb", "report.html", "walk.html",
+        "trace.paje", "pictures", "shares"}) {
     remove_directory((run / name).string());
   }
 }

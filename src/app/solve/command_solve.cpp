@@ -6,9 +6,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "app/frame/solve_name.hpp"
 #include "app/outputs/run_outputs.hpp"
+#include "app/solve/relight_run.hpp"
 #include "app/solve/run_choices.hpp"
 #include "app/solve/run_description.hpp"
 #include "app/solve/solve_options.hpp"
@@ -25,6 +27,7 @@
 #include "schemes/protocol/prepare_on_root.hpp"
 #include "schemes/protocol/rank_profiles.hpp"
 #include "schemes/replay/replay.hpp"
+#include "schemes/shares/solve_shares.hpp"
 #include "schemes/solve/solve.hpp"
 
 namespace enfilade {
@@ -93,29 +96,69 @@ bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
   return !session.communicator().broadcast(whole).empty();
 }
 
-void run_solve(const SolveOptions& options, RankSession& session) {
-  const Console& console = session.console();
-  Communicator& communicator = session.communicator();
-  const SolveConfig config = agree_on_config(options, session);
-  Machine& machine = session.machine(options.cost_model);
+/// Finds the shares of a solution. All ranks call it; the index is rank 0's.
+ShareIndex find_shares(const SolveConfig& config, Prepared& prepared, Machine& machine,
+                       RankSession& session) {
+  ShareIndex index =
+      solve_shares(config, prepared, session.communicator(), machine, session.console().progress());
+  if (session.communicator().root()) {
+    Warnings warnings = shares_shortfall(config.run_directory, index);
+    session.console().warnings(warnings);
+  }
+  return index;
+}
 
-  Warnings warnings;
+/// True on all ranks where a run that is left as it is lacks the shares that are asked for.
+bool shares_are_missing(const SolveOptions& options, const SolveConfig& config,
+                        RankSession& session) {
+  if (!options.shares) return false;
+  std::string missing;
+  session.communicator().on_root([&] {
+    if (!read_share_index(config.run_directory)) missing = "missing";
+  });
+  return !session.communicator().broadcast(missing).empty();
+}
+
+/// The scene, prepared; with --relight, prepared as the run whose links are taken, which `config`
+/// then names.
+Prepared prepare_run(const SolveOptions& options, SolveConfig& config, RankSession& session,
+                     Warnings& warnings, RunLock& lock) {
+  const Progress& progress = session.console().progress();
+  report_progress(progress, "reading the scene", 0.0);
+  if (!options.relight.empty())
+    return begin_relight(options, config, session.communicator(), warnings, lock);
   PrepareConfig prepare_config;  // proofs of hidden pairs pay where a solve makes millions of links
   prepare_config.visibility.prove_hidden = false;
   prepare_config.cluster_graph = config.topmost() == Hierarchy::clusters;
+  return prepare_on_root(
+      session.communicator(), source_of(options.scene_file(), options.allow_outside),
+      config.run_directory, prepare_config, warnings, progress, config.resume, lock);
+}
+
+void run_solve(const SolveOptions& options, RankSession& session) {
+  const Console& console = session.console();
+  Communicator& communicator = session.communicator();
+  SolveConfig config = agree_on_config(options, session);
+  Machine& machine = session.machine(options.cost_model);
+
+  Warnings warnings;
   RunLock lock;
-  report_progress(console.progress(), "reading the scene", 0.0);
-  Prepared prepared = prepare_on_root(
-      communicator, source_of(options.scene_file(), options.allow_outside), config.run_directory,
-      prepare_config, warnings, console.progress(), config.resume, lock);
+  Prepared prepared = prepare_run(options, config, session, warnings, lock);
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
-  if (nothing_is_left(options, config, prepared, session)) return;
+  if (nothing_is_left(options, config, prepared, session)) {
+    if (!shares_are_missing(options, config, session)) return;
+    const ShareIndex shares = find_shares(config, prepared, machine, session);
+    if (communicator.root() && !options.quiet)
+      console.print(shares_summary(config.run_directory, shares));
+    return;
+  }
 
   communicator.on_root([&] {
     // The root reads first what every rank is about to read, so that a fault is reported once.
     if (config.resume) committed_iterations(config.run_directory);
     if (!config.local_directory.empty()) check_local_directory(config.local_directory);
+    if (options.shares) share_groups(prepared.scene);
     remove_run_outputs(config.run_directory);
   });
   if (options.trace) machine.trace();
@@ -125,18 +168,28 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   describe_run(stats, config, prepared);
   describe_choices(stats, options.basis_is_given());
   if (options.trace) write_trace(config.run_directory, communicator, machine);
+  std::optional<ShareIndex> shares;
+  if (options.shares) {
+    shares = find_shares(config, prepared, machine, session);
+    describe_shares(stats, *shares);
+  }
 
   communicator.on_root([&] {
     const std::vector<IterationSummary> history = committed_iterations(config.run_directory);
-    for (const Warnings& found : {shortfall_of(config.run_directory, stats, config.max_iterations),
-                                  correction_failures(config.run_directory, history)}) {
+    if (config.relight) remove_directory(config.run_directory + "/before-relight");
+    for (const Warnings& found :
+         {config.relight ? relight_shortfall(options, stats)
+                         : shortfall_of(config.run_directory, stats, config.max_iterations),
+          correction_failures(config.run_directory, history)}) {
       console.warnings(found);
       for (const Warning& w : found.all()) warnings.add(w.where, w.what);
     }
     const auto owner = assign_clusters(prepared, config, communicator.size());
     write_run_outputs(outputs_of(options, config),
                       {std::move(prepared), stats, history, owner, warnings}, console.progress());
-    if (!options.quiet) console.print(solve_summary(config.run_directory, stats));
+    if (options.quiet) return;
+    console.print(solve_summary(config.run_directory, stats));
+    if (shares) console.print(shares_summary(config.run_directory, *shares));
   });
 }
 

@@ -36,7 +36,7 @@ constexpr std::array of_the_light = {
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
     "--resume",       "--patch-links",    "--hierarchy", "--target-error-at",
-    "--rooms",        "--no-walk"};
+    "--rooms",        "--shares",         "--relight",   "--no-walk"};
 
 /// Below this share of the light, what is asked for drowns in the rounding of numbers.
 constexpr double least_share = 1e-9;
@@ -184,6 +184,19 @@ void SolveOptions::check_replay() const {
   }
 }
 
+void SolveOptions::check_relight() const {
+  if (!is_directory(input)) {
+    throw InputError("command line", "--relight", "needs the links of a solved RUN",
+                     "name the RUN first, as in enfilade solve out/run --relight new.json");
+  }
+  for (const char* option : {"--resume", "--basis", "--epsilon", "--hierarchy"}) {
+    if (!gave(option)) continue;
+    throw InputError("command line", option,
+                     "does not go with --relight, which takes the links as they are",
+                     "leave one of them out");
+  }
+}
+
 bool SolveOptions::gave(const std::string& option) const {
   return std::find(given.begin(), given.end(), option) != given.end();
 }
@@ -209,6 +222,7 @@ SolveConfig SolveOptions::config() const {
   }
   if (!replay.empty()) check_replay();
   check_scheme();
+  if (!relight.empty()) check_relight();
   if (output.empty() && !is_directory(input)) {
     if (std::error_code code; !input.empty() && !fs::exists(input, code)) {
       throw InputError(input, "file", code ? code.message() : "does not exist", "check the path");
@@ -251,6 +265,11 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
   add_method_options(parallel, o);
   add_resource_options(parallel, o);
   sub.add_flag("--resume", o.resume, "Go on from the last committed iteration");
+  sub.add_option(
+      "--relight", o.relight,
+      "Scene of the same geometry as that of the RUN given, with other lamps or "
+      "reflectances: its light over the RUN's links, in a fraction of the time. Into the "
+      "RUN itself, or into -o. The error is estimated anew");
   sub.add_flag("--allow-outside", o.allow_outside,
                "Read photometric files that the scene names outside its own folder");
   sub.add_flag("--trace", o.trace,
@@ -262,6 +281,12 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
       "--rooms", o.rooms,
       "Also the light in each room: RUN/rooms.csv, and first in report.html; 'enfilade rooms' "
       "and 'enfilade report' find it later as well");
+  sub.add_flag(
+      "--shares", o.shares,
+      "Also the share of each luminaire, over the same links: RUN/shares, for 'probe "
+      "--shares' and '--switch'. Lights of one \"switch\" are one share; without it, lights "
+      "of one name, and emitting surfaces of one object or name. With --resume, of a run "
+      "that is solved");
   sub.add_flag("--quiet", o.quiet, "No summary at the end");
   sub.parse_complete_callback([&sub, &o] {
     o.given.clear();

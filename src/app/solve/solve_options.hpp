@@ -17,6 +17,7 @@ struct SolveOptions {
   std::string replay;  ///< RUN whose recorded gathers take the place of the kernels
   double target_error = SolveConfig{}.target_error;
   std::string target_error_at;  ///< probe file; empty = everywhere
+  std::string relight;          ///< scene file; empty = none
   double epsilon = 0.0, tolerance = 0.0;
   std::optional<std::uint64_t> patch_links;
   std::string basis = "linear", scheme = "spmd", assignment = "kmeans",
@@ -28,7 +29,7 @@ struct SolveOptions {
   int max_iterations = SolveConfig{}.max_iterations;
   bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
   bool allow_outside = false;
-  bool pictures = true, rooms = false, walk = true;
+  bool pictures = true, rooms = false, walk = true, shares = false;
   std::vector<std::string> given;  ///< options that stood on the command line
   std::vector<std::string> notes;  ///< lines about options that have another name now
 
@@ -37,11 +38,13 @@ struct SolveOptions {
   std::string run_directory() const;
   /// Returns whether the user chose the basis: `--basis auto` leaves the choice to the program.
   bool basis_is_given() const;
+  bool target_is_given() const { return gave("--target-error"); }
   /// Throws InputError for values that are none or that do not go together.
   SolveConfig config() const;
 
  private:
   void check_replay() const;
+  void check_relight() const;
   /// Throws InputError for options that the chosen scheme ignores.
   void check_scheme() const;
   bool gave(const std::string& option) const;

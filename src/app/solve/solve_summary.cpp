@@ -122,4 +122,38 @@ std::string solve_summary(const std::string& run_directory, const RunRecord& rec
   return table.text();
 }
 
+void describe_shares(RunRecord& record, const ShareIndex& shares) {
+  record.set("shares", shares.names.size());
+  record.set("share_iterations", shares.iterations);
+  record.set("share_difference", RunRecord::Value(shares.difference));
+  record.set("shares_s", RunRecord::Value(shares.solve_s));
+}
+
+std::string shares_summary(const std::string& run_directory, const ShareIndex& shares) {
+  constexpr std::size_t most_names = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_names, shares.names.size()); ++i)
+    names += (i > 0 ? ", " : "") + shares.names[i];
+  if (shares.names.size() > most_names) names += ", ...";
+  TextTable table(run_directory + "/shares: the light of each luminaire or switch");
+  table.add("shares", fmt::format("{}: {}", shares.names.size(), names));
+  table.add("iterations", fmt::format("{}", shares.iterations));
+  table.add("sum less the whole",
+            fmt::format("{:.2g}% before the rest was shared out", 100.0 * shares.difference));
+  table.add("time", fmt::format("{:.3g} s", shares.solve_s));
+  table.add("look at", "enfilade probe " + run_directory + " --shares --points ...");
+  return table.text();
+}
+
+Warnings shares_shortfall(const std::string& run_directory, const ShareIndex& shares) {
+  Warnings warnings;
+  if (!shares.converged) {
+    warnings.add(run_directory + "/shares",
+                 fmt::format("not converged after {} iterations: their sum is {:.2g}% off the "
+                             "whole light, and was made the whole",
+                             shares.iterations, 100.0 * shares.difference));
+  }
+  return warnings;
+}
+
 }  // namespace enfilade

@@ -6,6 +6,7 @@
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
 #include "base/warnings.hpp"
+#include "run/light_shares.hpp"
 #include "schemes/solve/solve.hpp"
 
 namespace enfilade {
@@ -38,5 +39,12 @@ Warnings shortfall_of(const std::string& run_directory, const RunRecord& record,
 /// Returns a warning with the number of iterations whose coarse correction could not be solved.
 Warnings correction_failures(const std::string& run_directory,
                              const std::vector<IterationSummary>& history);
+
+/// Enters the figures of the shares in the record of the solve.
+void describe_shares(RunRecord& record, const ShareIndex& shares);
+/// Returns the table of the shares.
+std::string shares_summary(const std::string& run_directory, const ShareIndex& shares);
+/// Returns a warning where the shares' iterations did not converge.
+Warnings shares_shortfall(const std::string& run_directory, const ShareIndex& shares);
 
 }  // namespace enfilade

@@ -36,6 +36,7 @@ std::uint64_t name_of_run(const SolveConfig& config, const Prepared& prepared) {
   w.put(static_cast<int>(config.gather.visibility));
   w.put(static_cast<int>(config.topmost()));
   w.put(static_cast<int>(config.scheme));
+  w.put(config.relight.has_value());
   return checksum(w.bytes());
 }
 
@@ -67,8 +68,11 @@ void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
   const InitialClusters initial(prepared.scene, prepared.clusters, work.occluders(),
                                 work.unknowns(), basis, count);
   p.machine.compute(count);
+  std::optional<RelitClusters> relit;
+  if (p.config.relight) relit.emplace(*p.config.relight, prepared);
   for (const ClusterId id : p.own) {
     ClusterState state = initial.make(id);
+    if (relit) state = relit->make(std::move(state));
     p.store.write_initial(state);
     recorder.add_start(state);
     if (scheme.gathers_for_its_own()) work.adopt(std::move(state));
@@ -76,6 +80,7 @@ void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
   recorder.write(0);
   p.communicator.barrier();
   p.communicator.on_root([&] { work.commit({}, {}, false); });
+  if (relit) work.restore_far_light(0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "assignment/assignment.hpp"
@@ -13,6 +14,7 @@
 #include "links/refinement_oracle.hpp"
 #include "machine/machine.hpp"
 #include "run/prepare.hpp"
+#include "schemes/solve/relight.hpp"
 #include "schemes/solve/scheme.hpp"
 #include "solver/sequential_solver.hpp"
 #include "store/simulated_placement.hpp"
@@ -32,7 +34,8 @@ struct SolveConfig : SolverConfig {
   AssignmentMethod assignment = AssignmentMethod::kmeans;  ///< of Scheme::spmd
   TourOrder order = TourOrder::travelling_salesman;
   bool steal = true;
-  bool resume = false;  ///< go on from the last committed iteration
+  bool resume = false;               ///< go on from the last committed iteration
+  std::optional<Relight> relight{};  ///< begin with the links of another solution
 
   /// Returns the hierarchy that is used: the schemes with a master deal out what a cluster sees.
   Hierarchy topmost() const { return scheme == Scheme::spmd ? hierarchy : Hierarchy::clusters; }
