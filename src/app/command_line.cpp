@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/pages/pages.hpp"
 #include "base/nearest_word.hpp"
 
 namespace enfilade {

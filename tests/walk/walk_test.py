@@ -47,7 +47,8 @@ def building():
     rooms = [{"name": "1.01", "longName": "Hall </script><b>", "storey": "Ground", "outline": box(0, 0, 6, 4), "z": [0, 2.6]},
              {"name": "1.02", "longName": "Store", "storey": "Ground", "outline": box(6.2, 0, 9, 4), "z": [0, 2.6]},
              {"name": "2.01", "longName": "Attic", "storey": "Upper", "outline": box(0, 0, 9, 4), "z": [3.0, 5.6]}]
-    return scene(surfaces, rooms=rooms)
+    spot = {"type": "point", "p": [5, 3, 1.5], "intensity": 60, "name": "spot"}
+    return scene(surfaces, rooms=rooms, lights=[spot])
 
 
 class Page(unittest.TestCase):
@@ -143,6 +144,52 @@ class Light(Page):
         self.assertGreater(len(readings), 15)
 
 
+class Lamps(Page):
+    """A run with shares: the page dims its lamps, against probes of the run with the same lamp dimmed."""
+    options = ("--shares",)
+
+    def dim(self, name, factor):
+        self.browser.evaluate(f"""(() => {{ const label = [...document.querySelectorAll('#lamps label')].find(l => l.textContent.startsWith({json.dumps(name)}));
+            const input = label.querySelector('input'); input.value = {factor}; input.dispatchEvent(new Event('input', {{bubbles: true}})); }})()""")
+        self.browser.frame()
+
+    def test_a_dimmed_lamp_is_dimmed(self):
+        names = self.browser.evaluate("[...document.querySelectorAll('#lamps label')].map(l => l.childNodes[0].textContent)")
+        self.assertEqual(sorted(names), ["attic lamp", "hall lamp", "spot", "store lamp"])
+        self.enter("1.01")
+        self.dim("hall lamp", 0.25)
+        readings = self.readings()
+        dimmed = self.probed(readings, "--from", "patches", "--switch", "hall lamp=0.25")
+        whole = self.probed(readings, "--from", "patches")
+        for reading, e in zip(readings, dimmed):
+            self.assertAlmostEqual(reading["value"], e, delta=2 * KEPT * abs(e) + 2e-3, msg=reading)
+        # The hall has a second light, so that it is not simply a quarter everywhere.
+        shares = [e / w for e, w in zip(dimmed, whole) if w > 1]
+        self.assertLess(min(shares), 0.4)
+        self.assertGreater(max(shares), 0.5)
+        self.dim("hall lamp", 1)
+        for reading, e in zip(self.readings(), whole):
+            self.assertAlmostEqual(reading["value"], e, delta=KEPT * abs(e) + 1e-3, msg=reading)
+
+    def test_a_lamp_that_is_off_is_dark_itself(self):
+        """The lamp's own face: its luminance follows the slider."""
+        self.enter("1.02")
+        value = "parseFloat(document.getElementById('reading').dataset.radiosity)"
+        brightest = 0.0
+        for x in range(20, 840, 30):
+            for y in range(20, 400, 30):
+                self.browser.mouse("mouseMoved", x, y)
+                self.browser.evaluate("new Promise(done => requestAnimationFrame(() => done(true)))")
+                radiosity = self.browser.evaluate(value) or 0.0
+                if radiosity > brightest:
+                    brightest, at = radiosity, (x, y)
+        self.assertAlmostEqual(brightest, 2000 * 0.2126 + 3000 * 0.7152 + 4000 * 0.0722, delta=5)
+        self.dim("store lamp", 0.5)
+        self.browser.move(*at)
+        self.assertAlmostEqual(self.browser.evaluate(value), 0.5 * brightest, delta=3)
+        self.dim("store lamp", 1)
+
+
 class Rooms(Page):
     def test_a_row_and_the_plan_take_the_camera_into_the_room(self):
         for click in ("#rooms tr[data-room='1'] button", "#plan path[data-room='0']", "#rooms tr[data-room='2'] button"):
@@ -156,7 +203,9 @@ class Rooms(Page):
     def test_storeys_are_left_out(self):
         """From above the upper storey hides the lower one, until it is left out."""
         self.browser.click_on("#overview")
-        self.assertTrue(all(r["p"][2] > 2.9 for r in self.readings(150)))
+        floors = [r for r in self.readings() if r["n"][2] > 0.9]
+        self.assertGreater(len(floors), 5)
+        self.assertTrue(all(r["p"][2] > 2.9 for r in floors), floors)
         names = self.browser.evaluate("[...document.querySelectorAll('#storeys button')].map(b => b.textContent)")
         self.assertEqual(names, ["Ground", "Upper"])
         self.browser.click_on("#storeys button:nth-child(2)")

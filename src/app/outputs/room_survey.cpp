@@ -1,6 +1,6 @@
 #include "app/outputs/room_survey.hpp"
 
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 
 namespace enfilade {
 

@@ -91,7 +91,8 @@ std::vector<std::string> write_pictures(const std::string& run_directory,
   std::vector<std::string> names;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Figure& figure : pictures) {
-    names.push_back("pictures/" + file_name_of(figure.caption) + ".png");
+    names.push_back("pictures/" + file_name_of(figure.name.empty() ? figure.caption : figure.name) +
+                    ".png");
     write_file_atomically(run_directory + "/" + names.back(), figure.png);
     list.push_back({{"file", names.back()}, {"caption", figure.caption}});
   }
@@ -106,7 +107,7 @@ std::vector<Figure> kept_pictures(const std::string& run_directory) {
   const std::optional<std::string> list = read_report(run_directory, picture_list);
   for (const auto& entry : nlohmann::json::parse(list.value_or("[]"))) {
     const std::optional<std::string> png = read_report(run_directory, entry.at("file"));
-    if (png) pictures.push_back({entry.at("caption"), *png});
+    if (png) pictures.push_back({entry.at("caption"), *png, ""});
   }
   return pictures;
 }
@@ -173,7 +174,8 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
   if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
   if (const auto program = outputs.walk ? walk_program() : std::nullopt) {
     const RoomTable* table = outputs.rooms ? &page.rooms : nullptr;
-    write_file_atomically(directory + "walk.html", walk_page(run, page.name, table, *program));
+    write_file_atomically(directory + "walk.html",
+                          walk_page(run, outputs.run_directory, table, *program));
     page.walk = "walk.html";
   }
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));

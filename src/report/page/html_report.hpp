@@ -18,6 +18,7 @@ namespace enfilade {
 struct Figure {
   std::string caption;
   std::string png;
+  std::string name{};  ///< of its file, without ending; empty: from the caption
 };
 
 /// The data that the page shows about one run.

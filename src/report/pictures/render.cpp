@@ -11,6 +11,7 @@
 #include "base/usable_cores.hpp"
 #include "report/pictures/camera_view.hpp"
 #include "report/pictures/gathered_light.hpp"
+#include "report/pictures/one_value.hpp"
 #include "report/pictures/smooth_light.hpp"
 #include "scene/equal_bands.hpp"
 
@@ -35,6 +36,8 @@ class Painter {
     gathered_ = std::make_unique<GatheredLight>(solved, view_, config.width, config.height, quality,
                                                 progress);
   }
+
+  std::size_t gathered_places() const { return gathered_ ? gathered_->places() : 0; }
 
   void paint_row(int y, LightImage& image) const {
     for (int x = 0; x < config_.width; ++x) {
@@ -92,13 +95,10 @@ class Painter {
     if (!gathered && config_.smooth) smooth_irradiance(forest, ref.polygon, seen.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] = frame.exitance[i] + frame.reflectance[i] * b[i];
-    e = in_bands_of_file(solved_.scene, e);
     const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
     for (std::size_t c = 0; c < 3; ++c)
       pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
-    double mean = 0.0;
-    for (double value : e) mean += value / static_cast<double>(e.size());
-    pixel.irradiance += static_cast<float>(std::max(0.0, mean));
+    pixel.irradiance += static_cast<float>(std::max(0.0, one_value(solved_.scene, e)));
   }
 
   const SolvedScene& solved_;
@@ -132,6 +132,7 @@ LightImage render(const SolvedScene& solved, const Camera& camera, const RenderC
   image.pixels.resize(static_cast<std::size_t>(config.width) *
                       static_cast<std::size_t>(config.height));
   const Painter painter(solved, camera, config, progress);
+  image.gathered_places = painter.gathered_places();
   std::atomic<int> next_row{0};
   const auto work = [&](bool reports) {
     for (int y = next_row++; y < config.height; y = next_row++) {

@@ -30,11 +30,12 @@ struct RenderConfig {
 struct LightImage {
   struct Pixel {
     float radiosity[3] = {0, 0, 0};
-    float irradiance = 0;  ///< mean of the bands
+    float irradiance = 0;  ///< as one value (one_value.hpp)
     float cover = 0;       ///< share of the samples that met a surface
     float section = 0;     ///< share that met the inside of a solid at the cut
   };
   int width = 0, height = 0;
+  std::size_t gathered_places = 0;  ///< at which light was gathered; 0 = light of the patches
   std::vector<Pixel> pixels;
 };
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 #include "report/survey/standing_place.hpp"
 
 namespace enfilade {
 namespace {
 
 constexpr int directions = 32;
-constexpr std::size_t places_tried = 64;
+constexpr std::size_t places_tried = 32;
 /// Of the eye's height: so far away from everything stands a person, and sees what lies ahead.
 constexpr double elbow_share = 0.25, ahead_share = 1.0;
 /// A room is lit where what is seen from its place has this share of the light of the brightest.
@@ -36,23 +36,27 @@ class Standing {
         room_(room),
         eye_height_m_(std::min(eye_height_m, 0.6 * room.height_m())) {}
 
-  /// A place and where it looks; `light` is the mean light ahead.
-  struct View {
-    Camera camera;
-    double worth = -1.0, light = 0.0;
-  };
-  View best() const {
-    View best;
+  std::optional<RoomView> best() const {
+    Best best;
     std::vector<Vec2> places = room_.plan.spread(places_tried);
     places.push_back(room_.plan.middle());
     for (const Vec2& p : places) {
       const Vec3 eye(p, room_.floor_m + eye_height_m_);
       if (place_of(solved_.occluders, room_, eye) == PointPlace::open) consider(eye, best);
     }
-    return best;
+    if (best.length_m < 0.0) return std::nullopt;
+    Camera& camera = best.view.camera;
+    camera.title = room_.long_name.empty() ? room_.name : room_.name + " " + room_.long_name;
+    camera.vertical_angle_deg = picture_angle_deg;
+    return best.view;
   }
 
  private:
+  struct Best {
+    RoomView view;
+    double length_m = -1.0;
+  };
+
   Outlook look_round(const Vec3& eye) const {
     Outlook found;
     for (std::size_t i = 0; i < directions; ++i) {
@@ -88,7 +92,7 @@ class Standing {
 
   /// The longest view, with free room to both sides of it, wins; behind the eye little room is
   /// left.
-  void consider(const Vec3& eye, View& best) const {
+  void consider(const Vec3& eye, Best& best) const {
     const Outlook seen = look_round(eye);
     const double elbow_m = elbow_share * eye_height_m_;
     if (*std::ranges::min_element(seen.wall_m) < elbow_m) return;
@@ -102,12 +106,12 @@ class Standing {
         nearest_m = std::min(nearest_m, seen.wall_m[at]);
       }
       if (nearest_m < ahead_share * eye_height_m_) length_m *= 0.25;
-      if (length_m <= best.worth) continue;
-      best.worth = length_m;
-      best.light = light;
-      best.camera.eye = eye;
+      if (length_m <= best.length_m) continue;
+      best.length_m = length_m;
+      best.view.light = light;
+      best.view.camera.eye = eye;
       // A little downward: the floor shows more of the light than the ceiling.
-      best.camera.look_at = eye + direction(i) - Vec3(0, 0, 0.10);
+      best.view.camera.look_at = eye + direction(i) - Vec3(0, 0, 0.10);
     }
   }
 
@@ -118,38 +122,36 @@ class Standing {
 
 }  // namespace
 
-std::optional<Camera> standing_camera(const SolvedScene& solved, const SurveyRoom& room,
+std::optional<RoomView> standing_view(const SolvedScene& solved, const SurveyRoom& room,
                                       double eye_height_m) {
-  Standing::View view = Standing(solved, room, eye_height_m).best();
-  if (view.worth < 0.0) return std::nullopt;
-  view.camera.name = room.name;
-  view.camera.vertical_angle_deg = picture_angle_deg;
-  return view.camera;
+  return Standing(solved, room, eye_height_m).best();
+}
+
+std::vector<std::size_t> rooms_to_show(std::span<const SurveyRoom> rooms,
+                                       std::span<const std::optional<RoomView>> views) {
+  double brightest = 0.0;
+  for (const auto& view : views) brightest = std::max(brightest, view ? view->light : 0.0);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    if (views[i] && rooms[i].has_ceiling && views[i]->light > lit_share * brightest)
+      order.push_back(i);
+  }
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return rooms[i].area_m2; });
+  return order;
 }
 
 std::vector<Camera> room_cameras(const SolvedScene& solved, std::span<const SurveyRoom> rooms,
                                  const AutoCameraConfig& config) {
-  std::vector<std::size_t> order(rooms.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return rooms[i].area_m2; });
-  std::vector<Standing::View> views;
-  double brightest = 0.0;
-  // Twice as many as are wanted, of which the dark ones are left out.
-  for (const std::size_t i : order) {
-    if (static_cast<int>(views.size()) >= 2 * config.inside) break;
-    Standing::View view = Standing(solved, rooms[i], config.eye_height_m).best();
-    if (view.worth < 0.0) continue;
-    brightest = std::max(brightest, view.light);
-    views.push_back(view);
-  }
-  std::erase_if(views, [&](const auto& view) { return !(view.light > lit_share * brightest); });
-  if (views.empty()) return automatic_cameras(solved, config);
+  std::vector<std::optional<RoomView>> views;
+  for (const SurveyRoom& room : rooms)
+    views.push_back(standing_view(solved, room, config.eye_height_m));
+  const std::vector<std::size_t> shown = rooms_to_show(rooms, views);
+  if (shown.empty()) return automatic_cameras(solved, config);
   std::vector<Camera> cameras;
-  for (Standing::View& view : views) {
+  for (const std::size_t i : shown) {
     if (static_cast<int>(cameras.size()) >= config.inside) break;
-    view.camera.name = "room-" + std::to_string(cameras.size() + 1);
-    view.camera.vertical_angle_deg = picture_angle_deg;
-    cameras.push_back(view.camera);
+    cameras.push_back(views[i]->camera);
+    cameras.back().name = "room-" + std::to_string(cameras.size());
   }
   AutoCameraConfig above = config;
   above.inside = 0;

@@ -16,25 +16,24 @@ constexpr double brightest_units = 32768.0;
 class Collector {
  public:
   Collector(const SolvedScene& solved, const LightChannels& channels, const WalkStoreys& storeys,
-            const Vec3& centre)
-      : solved_(solved), channels_(channels), storeys_(storeys), centre_(centre) {}
+            const WalkShares& shares, const Vec3& centre)
+      : solved_(solved),
+        channels_(channels),
+        storeys_(storeys),
+        shares_(shares),
+        centre_(centre),
+        share_light_(shares.names.size()) {}
 
   void add(const Cluster& cluster, const PatchForest& forest) {
     const auto leaves = leaves_by_polygon(forest);
     for (std::uint32_t k = 0; k < forest.polygons(); ++k) {
       add_polygon(cluster, forest, k);
-      add_faces(forest, patch_mesh(forest, k, leaves[k]));
+      add_faces(cluster, forest, patch_mesh(forest, k, leaves[k]));
     }
   }
 
   WalkArrays arrays() const {
     WalkArrays result;
-    float most = 0.0f;
-    for (const float e : light_) most = std::max(most, std::abs(e));
-    result.scale = most > 0.0f ? most / brightest_units : 1.0;
-    std::vector<std::uint16_t> halves;
-    halves.reserve(light_.size());
-    for (const float e : light_) halves.push_back(half_float(e / result.scale));
     BinaryArrays& to = result.arrays;
     to.add("frames", frames_);
     to.add("reflectance", reflectance_);
@@ -47,7 +46,10 @@ class Collector {
     to.add("corner_count", corner_count_);
     to.add("corners", corners_);
     to.add("middles", middles_);
-    to.add("light", halves);
+    result.scale = add_light("light", light_, to);
+    if (!share_light_.empty()) to.add("lamp", lamp_);
+    for (std::size_t i = 0; i < share_light_.size(); ++i)
+      result.scales.push_back(add_light("share_" + std::to_string(i), share_light_[i], to));
     result.centre = centre_;
     result.polygons = storey_.size();
     result.faces = corner_count_.size();
@@ -56,6 +58,19 @@ class Collector {
   }
 
  private:
+  /// Returns the unit that the light is in.
+  static double add_light(const std::string& name, const std::vector<float>& light,
+                          BinaryArrays& to) {
+    float most = 0.0f;
+    for (const float e : light) most = std::max(most, std::abs(e));
+    const double unit = most > 0.0f ? most / brightest_units : 1.0;
+    std::vector<std::uint16_t> halves;
+    halves.reserve(light.size());
+    for (const float e : light) halves.push_back(half_float(e / unit));
+    to.add(name, halves);
+    return unit;
+  }
+
   void add_polygon(const Cluster& cluster, const PatchForest& forest, std::uint32_t k) {
     const PolygonFrame& frame = forest.frames()[k];
     for (const Vec3& axis : {frame.origin - centre_, frame.u, frame.v}) {
@@ -66,28 +81,51 @@ class Collector {
     append(std::span<const double>(frame.exitance.data(), frame.exitance.size()), exitance_);
     storey_.push_back(
         static_cast<std::uint8_t>(std::min<std::size_t>(storeys_.of(cluster, k), 255)));
+    lamp_.push_back(lamp_of(cluster, k));
     outside_.push_back(cluster.cell.valid() && kind(cluster.cell) == CellKind::room ? 0 : 1);
+  }
+
+  /// 1 + the share by which the polygon shines.
+  std::uint16_t lamp_of(const Cluster& cluster, std::uint32_t k) const {
+    if (shares_.names.empty()) return 0;
+    const PolygonFrame& wide = shares_.clusters[cluster.id.index()].patches().frames()[k];
+    const std::size_t bands = wide.exitance.size() / (1 + shares_.names.size());
+    for (std::size_t i = bands; i < wide.exitance.size(); ++i) {
+      if (wide.exitance[i] > 0.0) return static_cast<std::uint16_t>(i / bands);
+    }
+    return 0;
   }
 
   CellKind kind(CellId cell) const { return solved_.cells.cells()[cell.index()].kind; }
 
-  void add_faces(const PatchForest& forest, const PatchMesh& mesh) {
+  void add_faces(const Cluster& cluster, const PatchForest& forest, const PatchMesh& mesh) {
     point_count_.push_back(static_cast<std::uint32_t>(mesh.points.size()));
     face_count_.push_back(static_cast<std::uint32_t>(mesh.faces.size()));
     for (const Vec2& p : mesh.points) append(p, points_);
-    Spectrum light(static_cast<std::size_t>(forest.bands()));
     for (const PatchMesh::Face& face : mesh.faces) {
       const Vec2 middle = forest.node(face.node).shape.centroid;
       corner_count_.push_back(static_cast<std::uint16_t>(face.corners.size()));
       append(middle, middles_);
       for (const std::uint32_t corner : face.corners) {
         corners_.push_back(corner);
-        irradiance(forest, face.node, mesh.points[corner] - middle, light);
-        append(light, light_);
+        add_vertex(cluster, forest, face.node, mesh.points[corner] - middle);
       }
-      irradiance(forest, face.node, Vec2(0.0), light);
-      append(light, light_);
+      add_vertex(cluster, forest, face.node, Vec2(0.0));
     }
+  }
+
+  void add_vertex(const Cluster& cluster, const PatchForest& forest, std::size_t node,
+                  const Vec2& shift) {
+    Spectrum light(static_cast<std::size_t>(forest.bands()));
+    irradiance(forest, node, shift, light);
+    append(light, light_);
+    if (share_light_.empty()) return;
+    const PatchForest& wide = shares_.clusters[cluster.id.index()].patches();
+    Spectrum all(static_cast<std::size_t>(wide.bands()));
+    irradiance(wide, node, shift, all);
+    for (std::size_t i = 0; i < share_light_.size(); ++i)
+      append(std::span<const double>(all).subspan((i + 1) * light.size(), light.size()),
+             share_light_[i]);
   }
 
   static void irradiance(const PatchForest& forest, std::size_t node, const Vec2& shift,
@@ -113,21 +151,23 @@ class Collector {
   const SolvedScene& solved_;
   const LightChannels& channels_;
   const WalkStoreys& storeys_;
+  const WalkShares& shares_;
   Vec3 centre_;
   std::vector<float> frames_, reflectance_, exitance_, points_, middles_, light_;
   std::vector<std::uint8_t> storey_, outside_;
   std::vector<std::uint32_t> point_count_, face_count_, corners_;
-  std::vector<std::uint16_t> corner_count_;
+  std::vector<std::uint16_t> corner_count_, lamp_;
+  std::vector<std::vector<float>> share_light_;
 };
 
 }  // namespace
 
 WalkArrays walk_arrays(const SolvedScene& solved, const LightChannels& channels,
-                       const WalkStoreys& storeys) {
+                       const WalkStoreys& storeys, const WalkShares& shares) {
   Box box;
   for (const Cluster& cluster : solved.clusters) box.add(cluster.bounds);
   // Single precision is relative to the building, wherever it stands.
-  Collector collector(solved, channels, storeys, box.empty() ? Vec3(0.0) : box.center());
+  Collector collector(solved, channels, storeys, shares, box.empty() ? Vec3(0.0) : box.center());
   for (std::size_t c = 0; c < solved.clusters.size(); ++c)
     collector.add(solved.clusters[c], solved.states[c].patches());
   return collector.arrays();

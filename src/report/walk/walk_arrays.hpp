@@ -1,6 +1,9 @@
 // The surfaces of a building and their light as arrays, for walk.html.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "report/pictures/solved_scene.hpp"
 #include "report/walk/binary_arrays.hpp"
 #include "report/walk/light_channels.hpp"
@@ -23,14 +26,24 @@ namespace enfilade {
 ///   middles      2 a face, float: its centroid along u and v
 ///   light        for each face a channel each at each of its corners, then at its centroid; half
 ///                floats. The irradiance there by the face's own patch
+///   lamp         1 a polygon, 16 bits, where there are shares: 0, or 1 + the share that it shines
+///   by share_0...   for each share what `light` is for the whole, in units of scales[0...]
 struct WalkArrays {
+  std::vector<double> scales;
   BinaryArrays arrays;
   Vec3 centre{0.0};
   double scale = 1.0;
   std::size_t polygons = 0, faces = 0, corners = 0;
 };
 
+/// The light of each luminaire or switch: for each cluster the patches of the solution, with its
+/// bands, then as many for each share (shares/share_scene.hpp). Without names there are none.
+struct WalkShares {
+  std::vector<std::string> names;
+  std::span<const ClusterState> clusters;
+};
+
 WalkArrays walk_arrays(const SolvedScene& solved, const LightChannels& channels,
-                       const WalkStoreys& storeys);
+                       const WalkStoreys& storeys, const WalkShares& shares = {});
 
 }  // namespace enfilade

@@ -10,8 +10,8 @@
 
 #include "report/drawing/charts.hpp"
 #include "report/pictures/false_colour.hpp"
+#include "report/pictures/one_value.hpp"
 #include "report/pictures/scene_tone.hpp"
-#include "report/survey/one_value.hpp"
 #include "report/survey/room_cameras.hpp"
 #include "report/walk/walk_arrays.hpp"
 
@@ -70,8 +70,8 @@ void add_figures(const RoomFigures& figures, Json& json) {
   json["verdict"] = name_of(verdict_of(figures));
 }
 
-Json room_json(const WalkSubject& subject, std::size_t i, const WalkStoreys& storeys,
-               const Vec3& centre) {
+Json room_json(const WalkSubject& subject, std::size_t i, const std::optional<RoomView>& view,
+               const WalkStoreys& storeys, const Vec3& centre) {
   const SurveyRoom& room = subject.rooms[i];
   Json json = {{"name", room.name},
                {"longName", room.long_name},
@@ -82,10 +82,9 @@ Json room_json(const WalkSubject& subject, std::size_t i, const WalkStoreys& sto
                {"rings", rings_of(room.plan, centre)}};
   if (const std::optional<double> e = floor_light(subject.solved, room)) json["floorLight"] = *e;
   if (subject.table != nullptr) add_figures(subject.table->rooms[i], json);
-  const std::optional<Camera> camera = standing_camera(subject.solved, room);
-  if (camera) {
-    json["eye"] = point(camera->eye - centre);
-    json["look"] = point(camera->look_at - camera->eye);
+  if (view) {
+    json["eye"] = point(view->camera.eye - centre);
+    json["look"] = point(view->camera.look_at - view->camera.eye);
   }
   return json;
 }
@@ -127,8 +126,16 @@ Json model_json(const WalkSubject& subject, const WalkArrays& arrays, const Ligh
   json["surveyed"] = subject.table != nullptr;
   if (subject.table != nullptr) json["plane"] = subject.table->plane_m;
   json["rooms"] = Json::array();
-  for (std::size_t i = 0; i < subject.rooms.size(); ++i)
-    json["rooms"].push_back(room_json(subject, i, storeys, arrays.centre));
+  std::vector<std::optional<RoomView>> views;
+  for (std::size_t i = 0; i < subject.rooms.size(); ++i) {
+    views.push_back(standing_view(subject.solved, subject.rooms[i]));
+    json["rooms"].push_back(room_json(subject, i, views.back(), storeys, arrays.centre));
+  }
+  const std::vector<std::size_t> shown = rooms_to_show(subject.rooms, views);
+  json["start"] = shown.empty() ? -1 : static_cast<int>(shown.front());
+  json["shares"] = Json::array();
+  for (std::size_t i = 0; i < subject.shares.names.size(); ++i)
+    json["shares"].push_back({{"name", subject.shares.names[i]}, {"scale", arrays.scales[i]}});
   return json;
 }
 
@@ -154,7 +161,7 @@ void replace(std::string& page, const std::string& mark, const std::string& text
 std::string walk_html(const WalkSubject& subject, const std::string& program) {
   const LightChannels channels(subject.solved.scene);
   const WalkStoreys storeys(subject.solved, subject.rooms);
-  const WalkArrays arrays = walk_arrays(subject.solved, channels, storeys);
+  const WalkArrays arrays = walk_arrays(subject.solved, channels, storeys, subject.shares);
   std::string page = program;
   // The data last: nothing in it is taken for a mark.
   replace(page, "<!--title-->", escaped(subject.title));

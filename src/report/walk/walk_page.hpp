@@ -8,6 +8,7 @@
 #include "report/pictures/solved_scene.hpp"
 #include "report/room_table/room_table.hpp"
 #include "report/survey/building_rooms.hpp"
+#include "report/walk/walk_arrays.hpp"
 
 namespace enfilade {
 
@@ -18,6 +19,7 @@ struct WalkSubject {
   /// Figures of the same rooms, in the same order; null where they have not been surveyed. Without
   /// them the table shows what the floors' patches have.
   const RoomTable* table = nullptr;
+  WalkShares shares{};       ///< lamps that can be dimmed
   double patch_error = 0.0;  ///< relative error of what is read off patches, as estimated
 };
 

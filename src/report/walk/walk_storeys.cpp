@@ -19,19 +19,25 @@ constexpr double one_storey = 1.5;
 
 WalkStoreys::WalkStoreys(const SolvedScene& solved, std::span<const SurveyRoom> rooms)
     : cells_(solved.cells) {
+  std::map<std::string, std::vector<const SurveyRoom*>> by_name;
+  for (const SurveyRoom& room : rooms) by_name[room.storey].push_back(&room);
+  for (auto& [name, own] : by_name) {
+    // The floor and the ceiling of the middle of its area, by height of the floors.
+    std::ranges::sort(own, {}, [](const SurveyRoom* room) { return room->floor_m; });
+    double total_m2 = 0.0, below_m2 = 0.0;
+    for (const SurveyRoom* room : own) total_m2 += room->area_m2;
+    for (const SurveyRoom* room : own) {
+      if ((below_m2 += room->area_m2) < 0.5 * total_m2) continue;
+      storeys_.push_back({name, room->floor_m, room->floor_m + cut_share * room->height_m()});
+      break;
+    }
+  }
   for (const Storey& storey : storeys(solved.building())) {
+    if (!rooms.empty()) break;
     storeys_.push_back({"Storey " + std::to_string(storeys_.size() + 1), storey.floor_m,
                         storey.floor_m + cut_share * storey.headroom_m});
   }
-  std::vector<std::map<std::string, double>> names(storeys_.size());
-  for (const SurveyRoom& room : rooms) {
-    if (!room.storey.empty()) names[of(room)][room.storey] += room.area_m2;
-  }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto most =
-        std::ranges::max_element(names[i], {}, [](const auto& n) { return n.second; });
-    if (most != names[i].end()) storeys_[i].name = most->first;
-  }
+  std::ranges::stable_sort(storeys_, {}, &WalkStorey::floor_m);
 }
 
 std::size_t WalkStoreys::at(double height_m) const {
@@ -43,7 +49,9 @@ std::size_t WalkStoreys::at(double height_m) const {
 }
 
 std::size_t WalkStoreys::of(const SurveyRoom& room) const {
-  return at(room.floor_m + step_share * room.height_m());
+  const auto own = std::ranges::find(storeys_, room.storey, &WalkStorey::name);
+  return own != storeys_.end() ? static_cast<std::size_t>(own - storeys_.begin())
+                               : at(room.floor_m + step_share * room.height_m());
 }
 
 std::size_t WalkStoreys::of(const Cluster& cluster, std::uint32_t polygon) const {

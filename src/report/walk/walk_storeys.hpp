@@ -11,17 +11,18 @@
 namespace enfilade {
 
 struct WalkStorey {
-  std::string name;      ///< as most of its rooms tell it, else "Storey 1"...
+  std::string name;      ///< as its rooms tell it, else "Storey 1"...
   double floor_m = 0.0;  ///< height of its floor
   double cut_m = 0.0;    ///< below its ceilings: what lies above hides the rooms from above
 };
 
-/// The storeys that are found from the floors (report/plans/storeys.hpp), lowest first.
+/// The storeys that the rooms name, else those that are found from the floors
+/// (report/plans/storeys.hpp), lowest first.
 class WalkStoreys {
  public:
   WalkStoreys(const SolvedScene& solved, std::span<const SurveyRoom> rooms);
   const std::vector<WalkStorey>& all() const { return storeys_; }
-  /// Returns the storey of a room by its floor.
+  /// Returns the storey of a room, by its name.
   std::size_t of(const SurveyRoom& room) const;
   /// Returns the storey of a polygon: that of the room of the building which its front looks into
   /// where that is within one storey, else by its own height.

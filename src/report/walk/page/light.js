@@ -61,7 +61,7 @@ export class Light {
 
   /// What a polygon's own emission is multiplied by.
   emission(polygon) {
-    const lamp = this.model.lamp_of?.[polygon] ?? 0;
+    const lamp = this.model.lamp?.[polygon] ?? 0;
     return lamp > 0 ? this.dims[lamp - 1] : 1;
   }
 }

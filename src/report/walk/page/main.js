@@ -26,9 +26,8 @@ class Page {
     addEventListener("resize", () => this.resize());
     this.listen();
     this.resize();
-    const inside = model.rooms.map((room, index) => ({ room, index })).filter(({ room }) => room.eye);
-    if (inside.length === 0) this.overview();
-    else this.enter(inside.reduce((a, b) => (b.room.area > a.room.area ? b : a)).index);
+    if (model.start < 0) this.overview();
+    else this.enter(model.start);
   }
 
   /// Stands in a room, its storey shown.

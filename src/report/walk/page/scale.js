@@ -8,7 +8,19 @@ function round125(x, upward) {
   return upward ? steps.find((s) => s >= x * (1 - 1e-9)) : steps.filter((s) => s <= x * (1 + 1e-9)).pop();
 }
 
-/// Between the 2% darkest and the 0.5% brightest of what rooms of the building show, at most four decades.
+/// The area of a face, from the fan about its centroid.
+function areaOf(model, polygon, face) {
+  const first = model.firstCorner[face], count = model.firstCorner[face + 1] - first;
+  const point = (i) => 2 * (model.firstPoint[polygon] + model.corners[first + (i % count)]), { points: p, middles: m } = model;
+  let sum = 0;
+  for (let i = 0; i < count; ++i) {
+    const a = point(i), b = point(i + 1);
+    sum += (p[a] - m[2 * face]) * (p[b + 1] - m[2 * face + 1]) - (p[a + 1] - m[2 * face + 1]) * (p[b] - m[2 * face]);
+  }
+  return 0.5 * sum;
+}
+
+/// Between the 2% darkest and the 0.5% brightest of the area of rooms of the building, at most four decades.
 export function usualScale(model, light) {
   const values = [], n = model.channels;
   for (let polygon = 0; polygon < model.polygons; ++polygon) {
@@ -16,13 +28,18 @@ export function usualScale(model, light) {
     for (let face = model.firstFace[polygon]; face < model.firstFace[polygon + 1]; ++face) {
       const middle = (model.firstCorner[face + 1] + face) * n;
       const e = oneValue(model, light.own.subarray(middle, middle + n));
-      if (e > 0) values.push(e);
+      if (e > 0) values.push([e, areaOf(model, polygon, face)]);
     }
   }
   if (values.length === 0) return { lowest: 0.1, highest: 1 };
-  values.sort((a, b) => a - b);
-  const highest = round125(values[Math.floor(0.995 * (values.length - 1))], true);
-  const low = Math.max(values[Math.floor(0.02 * (values.length - 1))], 1e-4 * highest);
+  values.sort((a, b) => a[0] - b[0]);
+  const whole = values.reduce((sum, v) => sum + v[1], 0);
+  const below = (share) => {
+    let sum = 0;
+    return values.find((v) => (sum += v[1]) >= share * whole)?.[0] ?? values[values.length - 1][0];
+  };
+  const highest = round125(below(0.995), true);
+  const low = Math.max(below(0.02), 1e-4 * highest);
   return { lowest: Math.min(round125(low, false), 0.1 * highest), highest };
 }
 

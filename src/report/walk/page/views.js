@@ -42,14 +42,25 @@ export class Views {
     this.walks.enabled = true;
     this.walks.stand(room.eye, room.look);
   }
-  /// From the south and above; `cut` is the height up to which there is something to see.
+  /// From above and across the building's longer side, all of it beside the panel; `cut` is the height up to which there is
+  /// something to see.
   lookFromAbove(cut) {
     this.walks.enabled = false;
-    const middle = this.box.getCenter(new THREE.Vector3()), size = this.box.getSize(new THREE.Vector3());
-    middle.z = Math.min(cut, this.box.max.z);
-    const half = 0.5 * ((this.camera.fov * Math.PI) / 180);
-    const away = Math.max(0.55 * size.y, (0.55 * size.x) / this.camera.aspect) / Math.tan(half) + 0.3 * size.y;
-    this.camera.position.copy(middle).add(new THREE.Vector3(0, -0.5, 1).normalize().multiplyScalar(away));
+    const box = this.box.clone(), size = box.getSize(new THREE.Vector3());
+    box.max.z = Math.max(box.min.z, Math.min(cut, box.max.z));
+    const middle = box.getCenter(new THREE.Vector3());
+    const back = size.x >= size.y ? new THREE.Vector3(-0.22, -0.55, 1) : new THREE.Vector3(-0.55, 0.22, 1);
+    const right = new THREE.Vector3(0, 0, 1).cross(back.normalize()).normalize(), above = back.clone().cross(right);
+    const { clientWidth: wide, clientHeight: high } = this.canvas, panel = wide > 700 ? 360 : 0;
+    const half = Math.tan(0.5 * ((this.camera.fov * Math.PI) / 180));
+    let away = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      const d = new THREE.Vector3(...[0, 1, 2].map((c) => (corner >> c & 1 ? box.max : box.min).getComponent(c))).sub(middle);
+      const across = Math.abs(d.dot(right)) / ((half * (wide - panel)) / high), upward = Math.abs(d.dot(above)) / half;
+      away = Math.max(away, d.dot(back) + 1.05 * Math.max(across, upward));
+    }
+    middle.addScaledVector(right, (panel / high) * half * away);
+    this.camera.position.copy(middle).addScaledVector(back, away);
     this.orbit.target.copy(middle);
     this.orbit.enabled = true;
     this.orbit.update();

@@ -1,11 +1,9 @@
 // enfilade walk: a page to walk through a solved building.
-#include <filesystem>
-
-#include "app/commands/commands.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/room_survey.hpp"
 #include "app/outputs/walk_file.hpp"
+#include "app/pages/pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 
@@ -26,6 +24,7 @@ constexpr SubcommandText help_text{
     "patches, "
     "kept to\n"
     "0.05%; `probe --from patches` tells the same values, `probe` more accurate ones.\n\n"
+    "Where RUN has shares (solve --shares), each luminaire or switch can be dimmed.\n\n"
     "`solve` makes it as RUN/walk.html. Building Enfilade needs npm for it, which fetches "
     "three.js."};
 
@@ -33,12 +32,6 @@ struct WalkOptions {
   std::string run, output;
   bool rooms = false;
 };
-
-std::string name_of_run(const std::string& run) {
-  std::filesystem::path directory = std::filesystem::path(run).lexically_normal();
-  if (!directory.has_filename()) directory = directory.parent_path();
-  return directory.filename().string();
-}
 
 void run_walk(const WalkOptions& options, const Console& console) {
   check_output_file(options.output);
@@ -55,8 +48,7 @@ void run_walk(const WalkOptions& options, const Console& console) {
   RoomTable rooms;
   if (options.rooms)
     rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, console.progress());
-  const std::string page =
-      walk_page(run, name_of_run(options.run), options.rooms ? &rooms : nullptr, *program);
+  const std::string page = walk_page(run, options.run, options.rooms ? &rooms : nullptr, *program);
   write_file_atomically(options.output, page);
   TextTable table(options.output);
   table.add("size", format_bytes(static_cast<double>(page.size())));

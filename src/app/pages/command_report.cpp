@@ -1,9 +1,9 @@
 // enfilade report: one self-contained page about one run or several.
-#include "app/commands/commands.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/run_outputs.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/pages/pages.hpp"
 #include "base/atomic_file.hpp"
 #include "report/page/html_report.hpp"
 

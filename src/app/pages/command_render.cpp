@@ -1,13 +1,15 @@
 // enfilade render: a picture of the solved scene.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/commands.hpp"
 #include "app/frame/option_checks.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/pages/pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "report/pictures/false_colour.hpp"
@@ -98,6 +100,10 @@ void run_render(const RenderOptions& options, const Console& console) {
   TextTable table(options.output);
   table.add("camera", camera.name);
   table.add("pixels", std::to_string(picture.width) + " x " + std::to_string(picture.height));
+  if (light.gathered_places > 0)
+    table.add("light",
+              fmt::format("gathered at {} places by {} rays each",
+                          with_thousands(light.gathered_places), options.render.gather_rays));
   if (options.false_colour) table.add("unit", unit);
   console.print(table.text());
 }
