@@ -81,7 +81,6 @@ std::vector<std::string> sealed_names(const RunOutputs& outputs, const Scene& sc
   if (!scene.probes.empty()) names.emplace_back("probes.json");
   if (outputs.rooms) names.emplace_back("rooms.csv");
   if (outputs.pictures) names.emplace_back(picture_list);
-  if (outputs.walk && walk_program()) names.emplace_back("walk.html");
   return names;
 }
 
@@ -136,7 +135,17 @@ RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Pro
 }
 
 bool has_run_outputs(const RunOutputs& outputs, const Scene& scene) {
-  return reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
+  const bool walk = !outputs.walk || !walk_program() ||
+                    std::filesystem::exists(outputs.run_directory + "/walk.html");
+  return walk && reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
+}
+
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table) {
+  const auto program = outputs.walk ? walk_program() : std::nullopt;
+  if (!program) return false;
+  write_file_atomically(outputs.run_directory + "/walk.html",
+                        walk_page(run, outputs.run_directory, table, *program));
+  return true;
 }
 
 void remove_run_outputs(const std::string& run_directory) {
@@ -172,12 +181,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
       sealed.push_back(std::move(name));
   }
   if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
-  if (const auto program = outputs.walk ? walk_program() : std::nullopt) {
-    const RoomTable* table = outputs.rooms ? &page.rooms : nullptr;
-    write_file_atomically(directory + "walk.html",
-                          walk_page(run, outputs.run_directory, table, *program));
-    page.walk = "walk.html";
-  }
+  if (write_walk_page(outputs, run, outputs.rooms ? &page.rooms : nullptr)) page.walk = "walk.html";
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
   seal_reports(outputs.run_directory, sealed);
 }

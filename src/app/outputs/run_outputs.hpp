@@ -43,6 +43,10 @@ void remove_run_outputs(const std::string& run_directory);
 /// their list in pictures/pictures.json. Takes `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
 
+/// Writes RUN/walk.html, with the shares of the light that the run has; false where it is not asked
+/// for, or the build has no program for it. `table` may be null.
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table);
+
 /// True where RUN has all these files, as a solve has written them for the committed iteration.
 bool has_run_outputs(const RunOutputs& outputs, const Scene& scene);
 

@@ -149,6 +149,10 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   if (nothing_is_left(options, config, prepared, session)) {
     if (!shares_are_missing(options, config, session)) return;
     const ShareIndex shares = find_shares(config, prepared, machine, session);
+    communicator.on_root([&] {
+      const SolvedRun run(std::move(prepared), config.run_directory);
+      write_walk_page(outputs_of(options, config), run, nullptr);
+    });
     if (communicator.root() && !options.quiet)
       console.print(shares_summary(config.run_directory, shares));
     return;

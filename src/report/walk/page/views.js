@@ -51,7 +51,7 @@ export class Views {
     const middle = box.getCenter(new THREE.Vector3());
     const back = size.x >= size.y ? new THREE.Vector3(-0.22, -0.55, 1) : new THREE.Vector3(-0.55, 0.22, 1);
     const right = new THREE.Vector3(0, 0, 1).cross(back.normalize()).normalize(), above = back.clone().cross(right);
-    const { clientWidth: wide, clientHeight: high } = this.canvas, panel = wide > 700 ? 360 : 0;
+    const { clientWidth: wide, clientHeight: high } = this.canvas, panel = wide > 700 ? 380 : 0;
     const half = Math.tan(0.5 * ((this.camera.fov * Math.PI) / 180));
     let away = 0;
     for (let corner = 0; corner < 8; ++corner) {
