@@ -119,6 +119,17 @@ bool shares_are_missing(const SolveOptions& options, const SolveConfig& config,
   return !session.communicator().broadcast(missing).empty();
 }
 
+/// Finds the shares of a run that is left as it is, and makes its page anew with them.
+void add_shares(const SolveOptions& options, const SolveConfig& config, Prepared& prepared,
+                Machine& machine, RankSession& session) {
+  const ShareIndex shares = find_shares(config, prepared, machine, session);
+  session.communicator().on_root([&] {
+    const SolvedRun run(std::move(prepared), config.run_directory);
+    write_walk_page(outputs_of(options, config), run, nullptr);
+    if (!options.quiet) session.console().print(shares_summary(config.run_directory, shares));
+  });
+}
+
 /// The scene, prepared; with --relight, prepared as the run whose links are taken, which `config`
 /// then names.
 Prepared prepare_run(const SolveOptions& options, SolveConfig& config, RankSession& session,
@@ -147,14 +158,8 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
   if (nothing_is_left(options, config, prepared, session)) {
-    if (!shares_are_missing(options, config, session)) return;
-    const ShareIndex shares = find_shares(config, prepared, machine, session);
-    communicator.on_root([&] {
-      const SolvedRun run(std::move(prepared), config.run_directory);
-      write_walk_page(outputs_of(options, config), run, nullptr);
-    });
-    if (communicator.root() && !options.quiet)
-      console.print(shares_summary(config.run_directory, shares));
+    if (shares_are_missing(options, config, session))
+      add_shares(options, config, prepared, machine, session);
     return;
   }
 
