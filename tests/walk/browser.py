@@ -23,7 +23,7 @@ def executable():
 class Browser:
     """One page in one browser. What the page asks the network for and what it complains of is kept."""
 
-    def __init__(self, width=1200, height=800):
+    def __init__(self, width=1000, height=640):
         self.profile = tempfile.mkdtemp(prefix="enfilade-chromium-")
         to_browser, self.commands = os.pipe()
         self.answers, from_browser = os.pipe()
@@ -117,7 +117,7 @@ class Browser:
 
     def frame(self):
         """Waits until what was asked for is drawn."""
-        self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+        self.evaluate("new Promise(done => requestAnimationFrame(() => done(true)))")
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)

@@ -138,7 +138,7 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
   group.add(
       "--gather-every", o.render.gather_every_px,
       "Distance of these places, pixels; the light that comes straight from lamps is found at "
-      "least every 3 pixels",
+      "least every 4 pixels",
       CLI::Range(1, 1000));
   group.add("--threads", o.render.threads, "Threads; 0 = one a core", CLI::Range(0, 4096));
   group

@@ -12,9 +12,9 @@ namespace enfilade {
 namespace {
 
 /// The light at a pixel is a mean of the places around it, by a Gaussian of so many steps of their
-/// grid, cut off at two and a half of its widths. Reflected light is even, and its rays are noisy;
+/// grid, cut off at two of its widths. Reflected light is even, and its rays are noisy;
 /// the shadows of lamps are sharp.
-constexpr double reflected_width = 1.2, direct_width = 0.8, cut_off = 2.5;
+constexpr double reflected_width = 1.2, direct_width = 0.8, cut_off = 2.0;
 /// Of light from a place that no other is near to, in units of a place at the pixel itself.
 constexpr double least_weight = 1e-4;
 /// cos of the angle between surfaces that count as one plane.

@@ -15,13 +15,13 @@ namespace enfilade {
 struct GatherQuality {
   int rays = 64;      ///< over the hemisphere of each place, for light that surfaces reflect
   int every_px = 8;   ///< distance of these places in the picture
-  int direct_px = 3;  ///< distance of the places at which the light of lamps is found
+  int direct_px = 4;  ///< distance of the places at which the light of lamps is found
   int threads = 0;    ///< 0 = as many as the machine has
   std::uint64_t seed = 1;
 };
 
 /// The light at a place for pictures: less exact than PointGather, and a hundred times as fast.
-/// Bright emitters count by their mean radiosity, closed-form factor, and eight shadow rays; what
+/// Bright emitters count by their mean radiosity, closed-form factor, and six shadow rays; what
 /// rays meet has the light of its patch.
 class QuickGather {
  public:

@@ -10,8 +10,8 @@ namespace enfilade {
 namespace {
 
 /// Emitters that may give a smaller share of a place's direct light get one shadow ray.
-constexpr double large_share = 0.02;
-constexpr int shadow_rays = 8;
+constexpr double large_share = 0.05;
+constexpr int shadow_rays = 6;
 
 /// The mean radiosity per band of a polygon.
 double mean_radiosity(const PatchForest& forest, std::uint32_t k, std::size_t band) {

@@ -46,6 +46,7 @@ class Painter {
       Random random(config_.seed * 0x9E3779B97F4A7C15ull + at);
       const double shift_x = random.uniform(), shift_y = random.uniform();
       std::uint32_t first = RayScene::no_polygon;
+      Known known;
       int samples = 0;
       while (samples < config_.samples) {
         // The R2 sequence (Roberts 2018) covers a pixel evenly with any number of samples.
@@ -53,7 +54,7 @@ class Painter {
         const double dx = std::fmod(shift_x + i * 0.7548776662466927, 1.0);
         const double dy = std::fmod(shift_y + i * 0.5698402909980532, 1.0);
         const double turn = std::fmod(shift_x + shift_y + i * 0.6180339887498949, 1.0);
-        const std::uint32_t seen = add({x + dx, y + dy}, turn, image.pixels[at]);
+        const std::uint32_t seen = add({x + dx, y + dy}, turn, image.pixels[at], known);
         ++samples;
         // Two samples of one polygon: no edge crosses the pixel, most likely.
         if (samples == 1) first = seen;
@@ -71,25 +72,41 @@ class Painter {
     pixel.section *= factor;
   }
 
+  /// The gathered light of a polygon in this pixel: the same for all samples that show it.
+  struct Known {
+    std::uint32_t polygon = RayScene::no_polygon;
+    Spectrum e;
+  };
+
   /// Adds a sample at a place of the picture, in pixels; returns the polygon that it shows, none
   /// for the sky and the inside of a solid.
-  std::uint32_t add(const Vec2& at, double turn, LightImage::Pixel& pixel) const {
+  std::uint32_t add(const Vec2& at, double turn, LightImage::Pixel& pixel, Known& known) const {
     const CameraView::Seen seen =
         view_.at(2.0 * at.x / config_.width - 1.0, 1.0 - 2.0 * at.y / config_.height);
     using What = CameraView::Seen::What;
     if (seen.what == What::section) pixel.section += 1.0f;
-    if (seen.what == What::front) add_light(seen, at, turn, pixel);
+    if (seen.what == What::front) add_light(seen, at, turn, pixel, known);
     if (seen.what == What::front || seen.what == What::back) pixel.cover += 1.0f;
     return seen.polygon;
   }
 
+  bool gathered_at(const CameraView::Seen& seen, const Vec2& at, Known& known, Spectrum& e) const {
+    if (!gathered_) return false;
+    if (known.polygon != seen.polygon) {
+      if (!gathered_->at(at.x, at.y, seen.p, seen.polygon, e)) return false;
+      known = {seen.polygon, e};
+    }
+    e = known.e;
+    return true;
+  }
+
   void add_light(const CameraView::Seen& seen, const Vec2& at, double turn,
-                 LightImage::Pixel& pixel) const {
+                 LightImage::Pixel& pixel, Known& known) const {
     const PolygonRef ref = solved_.occluders.local(seen.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
     Spectrum e(static_cast<std::size_t>(forest.bands())), b(e.size());
-    const bool gathered = gathered_ && gathered_->at(at.x, at.y, seen.p, seen.polygon, e);
+    const bool gathered = gathered_at(seen, at, known, e);
     if (!gathered) forest.evaluate(false, ref.polygon, seen.p, e);
     b = e;
     if (!gathered && config_.smooth) smooth_irradiance(forest, ref.polygon, seen.p, turn, b);
