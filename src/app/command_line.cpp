@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/pages/pages.hpp"
 #include "base/nearest_word.hpp"
 
 namespace enfilade {
@@ -12,7 +13,8 @@ namespace {
 
 constexpr const char* about =
     "Enfilade: the light in whole buildings, by parallel hierarchical radiosity.\n\n"
-    "The usual way:  import (a model) -> solve (the light) -> rooms, probe, render, export, report";
+    "The usual way:  import (a model) -> solve (the light) -> rooms, walk, probe, render, export, "
+    "report";
 
 constexpr const char* examples =
     "Examples:\n"
@@ -58,6 +60,7 @@ void add_subcommands(CLI::App& cli, Command& chosen,
   add_solve(cli);
   add_probe(cli, chosen);
   add_rooms(cli, chosen);
+  add_walk(cli, chosen);
   add_render(cli, chosen);
   add_export(cli, chosen);
   add_factors(cli, chosen);

@@ -20,7 +20,7 @@ ROOM = HERE / "room.json"
 SCENES = ROOT / "tests/data/scene"
 ENFILADE = os.environ.get("ENFILADE", "")
 MPIRUN = ["mpirun", "--oversubscribe", "-n"]
-SUBCOMMANDS = ["generate", "import", "prepare", "solve", "probe", "rooms", "render", "export", "factors", "bounds", "locate", "plan", "report", "info"]
+SUBCOMMANDS = ["generate", "import", "prepare", "solve", "probe", "rooms", "walk", "render", "export", "factors", "bounds", "locate", "plan", "report", "info"]
 os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 

@@ -11,13 +11,11 @@ void add_import(CLI::App& cli, Command& chosen);
 void add_prepare(CLI::App& cli, Command& chosen);
 void add_probe(CLI::App& cli, Command& chosen);
 void add_rooms(CLI::App& cli, Command& chosen);
-void add_render(CLI::App& cli, Command& chosen);
 void add_export(CLI::App& cli, Command& chosen);
 void add_factors(CLI::App& cli, Command& chosen);
 void add_bounds(CLI::App& cli, Command& chosen);
 void add_locate(CLI::App& cli, Command& chosen);
 void add_plan(CLI::App& cli, Command& chosen);
-void add_report(CLI::App& cli, Command& chosen);
 void add_info(CLI::App& cli, Command& chosen);
 
 }  // namespace enfilade

@@ -1,8 +1,18 @@
 #include "app/outputs/room_survey.hpp"
 
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 
 namespace enfilade {
+
+std::vector<SurveyRoom> rooms_of_run(const SolvedRun& run) {
+  const Scene& scene = run.prepared().scene;
+  std::vector<SurveyRoom> rooms =
+      rooms_of_building(run.solved_scene().building(), scene.building.rooms);
+  if (scene.unit != ExitanceUnit::lumen_per_m2) {
+    for (SurveyRoom& room : rooms) room.required = 0.0;
+  }
+  return rooms;
+}
 
 RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const GlarePlace> places,
                      const Progress& progress) {
@@ -11,17 +21,13 @@ RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const
   const SurveyConfig& config = how.survey;
   const PointGather gather = run.gather_with(how.gather);
   const SurveyedScene surveyed{solved, gather, run.patch_error()};
-  std::vector<SurveyRoom> rooms = rooms_of_building(solved.building(), scene.building.rooms);
-  if (scene.unit != ExitanceUnit::lumen_per_m2) {
-    for (SurveyRoom& room : rooms) room.required = 0.0;
-  }
   RoomTable table;
   table.unit = irradiance_label(scene.unit);
   table.weights = weights_of(scene);
   table.maintenance_factor = config.maintenance_factor;
   table.plane_m = config.plane_m;
   table.cylindrical_m = config.cylindrical_m;
-  table.rooms = survey_rooms(surveyed, std::move(rooms), config, progress);
+  table.rooms = survey_rooms(surveyed, rooms_of_run(run), config, progress);
   table.glare = glare_at(surveyed, places, config.maintenance_factor, progress);
   return table;
 }

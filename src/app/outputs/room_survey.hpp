@@ -15,8 +15,11 @@ struct RunSurvey {
   PointGatherConfig gather{.rays = 256, .noise = 0.02};
 };
 
-/// Surveys the rooms of the run's scene, or its cells where it names none, and the glare at
-/// `places`. What rooms ask for in lux counts only where the scene's light is in lumens.
+/// Returns the rooms of the run's scene, or its cells where it names none. What rooms ask for in
+/// lux counts only where the scene's light is in lumens.
+std::vector<SurveyRoom> rooms_of_run(const SolvedRun& run);
+
+/// Surveys rooms_of_run() and the glare at `places`.
 RoomTable survey_run(const SolvedRun& run, const RunSurvey& config,
                      std::span<const GlarePlace> places = {}, const Progress& progress = {});
 

@@ -8,11 +8,12 @@
 #include "app/outputs/plan_files.hpp"
 #include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/outputs/walk_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "report/export/solution_glb.hpp"
 #include "report/export/surfaces_csv.hpp"
-#include "report/pictures/camera.hpp"
+#include "report/survey/room_cameras.hpp"
 #include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 #include "scene_file/scene_io.hpp"
@@ -89,7 +90,8 @@ std::vector<std::string> write_pictures(const std::string& run_directory,
   std::vector<std::string> names;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Figure& figure : pictures) {
-    names.push_back("pictures/" + file_name_of(figure.caption) + ".png");
+    names.push_back("pictures/" + file_name_of(figure.name.empty() ? figure.caption : figure.name) +
+                    ".png");
     write_file_atomically(run_directory + "/" + names.back(), figure.png);
     list.push_back({{"file", names.back()}, {"caption", figure.caption}});
   }
@@ -104,7 +106,7 @@ std::vector<Figure> kept_pictures(const std::string& run_directory) {
   const std::optional<std::string> list = read_report(run_directory, picture_list);
   for (const auto& entry : nlohmann::json::parse(list.value_or("[]"))) {
     const std::optional<std::string> png = read_report(run_directory, entry.at("file"));
-    if (png) pictures.push_back({entry.at("caption"), *png});
+    if (png) pictures.push_back({entry.at("caption"), *png, ""});
   }
   return pictures;
 }
@@ -125,7 +127,7 @@ RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Pro
   std::vector<Figure> kept;
   if (outputs.pictures) kept = kept_pictures(outputs.run_directory);
   std::vector<Camera> cameras;
-  if (outputs.pictures && kept.empty()) cameras = automatic_cameras(solved);
+  if (outputs.pictures && kept.empty()) cameras = room_cameras(solved, rooms_of_run(run));
   add_pictures(page, solved, cameras, read_owners(outputs.run_directory), {}, progress);
   if (!kept.empty()) page.pictures = std::move(kept);
   if (outputs.rooms) page.rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, progress);
@@ -133,14 +135,25 @@ RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Pro
 }
 
 bool has_run_outputs(const RunOutputs& outputs, const Scene& scene) {
-  return reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
+  const bool walk = !outputs.walk || !walk_program() ||
+                    std::filesystem::exists(outputs.run_directory + "/walk.html");
+  return walk && reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
+}
+
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table) {
+  const auto program = outputs.walk ? walk_program() : std::nullopt;
+  if (!program) return false;
+  write_file_atomically(outputs.run_directory + "/walk.html",
+                        walk_page(run, outputs.run_directory, table, *program));
+  return true;
 }
 
 void remove_run_outputs(const std::string& run_directory) {
   const std::filesystem::path run(run_directory);
-  for (const char* name : {"stats.json", "reports.json", "history.json", "warnings.json",
-                           "assignment.json", "probes.json", "rooms.csv", "surfaces.csv",
-                           "solution.glb", "report.html", "trace.paje", "pictures", "shares"}) {
+  for (const char* name :
+       {"stats.json", "reports.json", "history.json", "warnings.json", "assignment.json",
+        "probes.json", "rooms.csv", "surfaces.csv", "solution.glb", "report.html", "walk.html",
+        "trace.paje", "pictures", "shares"}) {
     remove_directory((run / name).string());
   }
 }
@@ -160,7 +173,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
         irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
         solved.scene.unit);
   }
-  const RunPage page = make_run_page(outputs, run, progress);
+  RunPage page = make_run_page(outputs, run, progress);
   std::vector<std::string> sealed = sealed_names(outputs, solved.scene);
   if (outputs.pictures) {
     write_run_plans(outputs.run_directory, page.plans);
@@ -168,6 +181,7 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
       sealed.push_back(std::move(name));
   }
   if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
+  if (write_walk_page(outputs, run, outputs.rooms ? &page.rooms : nullptr)) page.walk = "walk.html";
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
   seal_reports(outputs.run_directory, sealed);
 }

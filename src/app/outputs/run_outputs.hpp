@@ -19,6 +19,7 @@ struct RunOutputs {
   std::string run_directory;
   bool pictures = true;
   bool rooms = false;  ///< rooms.csv, and the table of rooms in report.html
+  bool walk = true;    ///< walk.html, where the build has made its program
 };
 
 /// Results of the solve that are in memory.
@@ -38,9 +39,13 @@ std::string history_json(std::span<const IterationSummary> history);
 void remove_run_outputs(const std::string& run_directory);
 
 /// stats.json, history.json, warnings.json and assignment.json; surfaces.csv, solution.glb,
-/// report.html; probes.json where the scene has probes; and pictures/, a file each, with their list
-/// in pictures/pictures.json. Takes `records.prepared` over.
+/// report.html, walk.html; probes.json where the scene has probes; and pictures/, a file each, with
+/// their list in pictures/pictures.json. Takes `records.prepared` over.
 void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Progress& progress);
+
+/// Writes RUN/walk.html, with the shares of the light that the run has; false where it is not asked
+/// for, or the build has no program for it. `table` may be null.
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table);
 
 /// True where RUN has all these files, as a solve has written them for the committed iteration.
 bool has_run_outputs(const RunOutputs& outputs, const Scene& scene);

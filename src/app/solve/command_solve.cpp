@@ -75,6 +75,10 @@ SceneSource source_of(const std::string& scene_file, bool allow_outside) {
   };
 }
 
+RunOutputs outputs_of(const SolveOptions& options, const SolveConfig& config) {
+  return {config.run_directory, options.pictures, options.rooms, options.pictures && options.walk};
+}
+
 /// True where a finished run is asked to go on and no iteration is left, nor a file to write: RUN
 /// stays as it is, and is told once more.
 bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
@@ -82,8 +86,7 @@ bool nothing_is_left(const SolveOptions& options, const SolveConfig& config,
   if (options.trace || !is_solved(config, prepared, session.communicator())) return false;
   std::string whole;
   session.communicator().on_root([&] {
-    if (!has_run_outputs({config.run_directory, options.pictures, options.rooms}, prepared.scene))
-      return;
+    if (!has_run_outputs(outputs_of(options, config), prepared.scene)) return;
     whole = "whole";
     const RunRecord stats = read_stats(config.run_directory);
     session.console().warnings(shortfall_of(config.run_directory, stats, config.max_iterations));
@@ -116,6 +119,17 @@ bool shares_are_missing(const SolveOptions& options, const SolveConfig& config,
   return !session.communicator().broadcast(missing).empty();
 }
 
+/// Finds the shares of a run that is left as it is, and makes its page anew with them.
+void add_shares(const SolveOptions& options, const SolveConfig& config, Prepared& prepared,
+                Machine& machine, RankSession& session) {
+  const ShareIndex shares = find_shares(config, prepared, machine, session);
+  session.communicator().on_root([&] {
+    const SolvedRun run(std::move(prepared), config.run_directory);
+    write_walk_page(outputs_of(options, config), run, nullptr);
+    if (!options.quiet) session.console().print(shares_summary(config.run_directory, shares));
+  });
+}
+
 /// The scene, prepared; with --relight, prepared as the run whose links are taken, which `config`
 /// then names.
 Prepared prepare_run(const SolveOptions& options, SolveConfig& config, RankSession& session,
@@ -144,10 +158,8 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
   if (nothing_is_left(options, config, prepared, session)) {
-    if (!shares_are_missing(options, config, session)) return;
-    const ShareIndex shares = find_shares(config, prepared, machine, session);
-    if (communicator.root() && !options.quiet)
-      console.print(shares_summary(config.run_directory, shares));
+    if (shares_are_missing(options, config, session))
+      add_shares(options, config, prepared, machine, session);
     return;
   }
 
@@ -182,7 +194,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
       for (const Warning& w : found.all()) warnings.add(w.where, w.what);
     }
     const auto owner = assign_clusters(prepared, config, communicator.size());
-    write_run_outputs({config.run_directory, options.pictures, options.rooms},
+    write_run_outputs(outputs_of(options, config),
                       {std::move(prepared), stats, history, owner, warnings}, console.progress());
     if (options.quiet) return;
     console.print(solve_summary(config.run_directory, stats));

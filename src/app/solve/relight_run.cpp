@@ -148,6 +148,10 @@ Start prepare_start(const SolveOptions& options, const SolveConfig& config, Warn
 void check_same_geometry(const Scene& now, const Scene& before, const std::string& run) {
   for (std::size_t i = 0; i < std::min(now.surfaces.size(), before.surfaces.size()); ++i) {
     const Surface &a = now.surfaces[i], &b = before.surfaces[i];
+    if (a.transmittance != b.transmittance) {
+      throw InputError(now.file, name_of(now, i), "lets other light through than in " + run,
+                       remedy);
+    }
     if (same_corners(a.vertices, b.vertices) && a.two_sided == b.two_sided) continue;
     throw InputError(now.file, name_of(now, i), "has another geometry than in " + run, remedy);
   }

@@ -22,8 +22,8 @@ const char* const solve_footer =
     "  smpirun -platform platforms/office.xml -hostfile platforms/office-2.hosts -np 2 \\\n"
     "    enfilade-smpi solve --replay out/simulated -o out/two-hosts\n\n"
     "The RUN directory then holds stats.json, surfaces.csv, solution.glb, pictures, report.html, "
-    "and\n"
-    "probes.json where the scene has probes.";
+    "walk.html\n"
+    "(the building to walk through in a browser), and probes.json where the scene has probes.";
 
 namespace {
 
@@ -36,7 +36,7 @@ constexpr std::array of_the_light = {
     "--oracle",       "--visibility",     "--iteration", "--no-coarse-correction",
     "--local-dir",    "--max-iterations", "--scheme",    "--no-pictures",
     "--resume",       "--patch-links",    "--hierarchy", "--target-error-at",
-    "--rooms",        "--shares",         "--relight"};
+    "--rooms",        "--shares",         "--relight",   "--no-walk"};
 
 /// Below this share of the light, what is asked for drowns in the rounding of numbers.
 constexpr double least_share = 1e-9;
@@ -274,7 +274,9 @@ void add_solve_options(CLI::App& sub, SolveOptions& o) {
                "Read photometric files that the scene names outside its own folder");
   sub.add_flag("--trace", o.trace,
                "Keep what each rank does when: RUN/trace.paje, pictures/ranks.svg and .png");
-  sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures");
+  sub.add_flag("!--no-pictures", o.pictures, "Make no PNG pictures, and no walk.html");
+  sub.add_flag("!--no-walk", o.walk,
+               "Make no walk.html, the building to walk through in a browser");
   sub.add_flag(
       "--rooms", o.rooms,
       "Also the light in each room: RUN/rooms.csv, and first in report.html; 'enfilade rooms' "

@@ -29,7 +29,7 @@ struct SolveOptions {
   int max_iterations = SolveConfig{}.max_iterations;
   bool trace = false, no_steal = false, no_correction = false, resume = false, quiet = false;
   bool allow_outside = false;
-  bool pictures = true, rooms = false, shares = false;
+  bool pictures = true, rooms = false, walk = true, shares = false;
   std::vector<std::string> given;  ///< options that stood on the command line
   std::vector<std::string> notes;  ///< lines about options that have another name now
 

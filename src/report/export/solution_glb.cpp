@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/export/glb_writer.hpp"
+#include "report/pictures/scene_tone.hpp"
 #include "scene/equal_bands.hpp"
 
 namespace enfilade {
@@ -79,24 +80,6 @@ std::vector<std::vector<std::size_t>> leaves_by_polygon(const PatchForest& fores
     if (forest.node(i).leaf()) leaves[forest.node(i).id.root].push_back(i);
   }
   return leaves;
-}
-
-ToneMap tone_map_of(const SolvedScene& solved, const ToneConfig& config) {
-  std::vector<std::pair<double, double>> luminances;
-  for (const ClusterState& state : solved.states) {
-    const PatchForest& forest = state.patches();
-    for (std::size_t i = 0; i < forest.size(); ++i) {
-      if (!forest.node(i).leaf()) continue;
-      Spectrum mean;
-      for (std::size_t t = 0; t < forest.radiosity(i).size();
-           t += static_cast<std::size_t>(forest.terms())) {
-        mean.push_back(forest.radiosity(i)[t]);
-      }
-      luminances.emplace_back(luminance(display_rgb(in_bands_of_file(solved.scene, mean))),
-                              forest.node(i).shape.area_m2);
-    }
-  }
-  return ToneMap(std::move(luminances), config);
 }
 
 /// The binary chunk's four runs, and the objects' ranges in them.
@@ -208,7 +191,7 @@ std::string solution_glb(const SolvedScene& solved, const ToneConfig& config) {
   for (const Cluster& cluster : solved.clusters) box.add(cluster.bounds);
   // Single precision is relative to the building, wherever it stands.
   const Vec3 centre = box.empty() ? Vec3(0.0) : box.center();
-  const ToneMap tone = tone_map_of(solved, config);
+  const ToneMap tone = scene_tone_map(solved, config);
   std::vector<std::string> names;
   const Mesh mesh = build_mesh(solved, tone, centre, names);
   GlbWriter glb;

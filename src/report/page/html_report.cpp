@@ -7,28 +7,13 @@
 #include <set>
 #include <string_view>
 
+#include "report/drawing/base64.hpp"
 #include "report/drawing/charts.hpp"
 #include "report/page/html_style.hpp"
 
 namespace enfilade {
 
 namespace {
-
-std::string base64(const std::string& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k < bytes.size() + 1 ? digits[word >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
 
 /// 12942 -> "12 942" with thin spaces.
 std::string grouped(std::int64_t n) {
@@ -192,6 +177,8 @@ std::string warnings(const RunPage& run) {
 /// `number` tells the runs of the page apart.
 std::string run_section(const RunPage& run, bool titled, std::size_t number) {
   std::string html = titled ? "<h2>" + escaped(run.name) + "</h2>" : "";
+  if (!run.walk.empty())
+    html += "<p><a href=\"" + escaped(run.walk) + "\">Walk through the building</a></p>";
   html += rooms_html(run.rooms, fmt::format("run-{}-room", number));
   html += tiles(run.stats);
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {

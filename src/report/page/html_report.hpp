@@ -18,6 +18,7 @@ namespace enfilade {
 struct Figure {
   std::string caption;
   std::string png;
+  std::string name{};  ///< of its file, without ending; empty: from the caption
 };
 
 /// The data that the page shows about one run.
@@ -28,6 +29,7 @@ struct RunPage {
   std::vector<Figure> pictures;
   std::vector<FloorPlan> plans;
   RoomTable rooms;       ///< comes first; without rooms where it was not asked for
+  std::string walk;      ///< address of the run's walk-through; empty where there is none
   std::string timeline;  ///< SVG of the ranks' phases; empty where the run kept no trace
   std::vector<std::string> warnings, attribution;
 };

@@ -41,6 +41,18 @@ std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Ra
   return plans;
 }
 
+namespace {
+
+/// With what tells the picture's quality.
+std::string caption_of(const Camera& camera, const RenderConfig& config) {
+  const std::string what = camera.title.empty() ? camera.name : camera.name + ": " + camera.title;
+  if (config.gather_rays <= 0) return what + ", light of the patches";
+  return fmt::format("{}, light gathered by {} rays every {} pixels", what, config.gather_rays,
+                     config.gather_every_px);
+}
+
+}  // namespace
+
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,
                   std::span<const Rank> owner, const RenderConfig& config,
                   const Progress& progress) {
@@ -53,11 +65,12 @@ void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Came
           report_progress(progress, phase,
                           (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
         });
-    page.pictures.push_back({camera.name, encode_png(tone_mapped(image), camera.name)});
+    const std::string caption = caption_of(camera, config);
+    page.pictures.push_back({caption, encode_png(tone_mapped(image), caption), camera.name});
     bool& shown = camera.cut_above_m ? above_shown : inside_shown;
     if (!shown) {
-      const std::string caption = fmt::format("{}: irradiance, {}", camera.name, unit);
-      page.pictures.push_back({caption, encode_png(false_coloured(image, unit), caption)});
+      const std::string light = fmt::format("{}: irradiance, {}", camera.name, unit);
+      page.pictures.push_back({light, encode_png(false_coloured(image, unit), light), ""});
     }
     shown = true;
   }

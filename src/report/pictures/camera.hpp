@@ -10,7 +10,8 @@
 namespace enfilade {
 
 struct Camera {
-  std::string name;
+  std::string name;   ///< "room-1"
+  std::string title;  ///< what it shows, for captions; may be empty
   Vec3 eye{0.0}, look_at{0.0, 1.0, 0.0}, up{0.0, 0.0, 1.0};
   double vertical_angle_deg = 60.0;
   double parallel_height_m = 0.0;  ///< > 0: parallel projection, this high

@@ -15,11 +15,13 @@ namespace enfilade {
 struct RenderConfig {
   int width = 960, height = 540;
   int samples = 4;  ///< rays per pixel, on a jittered grid; two where both meet one polygon
-  int gather_rays =
-      0;  ///< > 0: irradiance by a gather from the solution at every pixel (slow, no mesh lines)
-  bool smooth = true;  ///< radiosity without the patches' edges (smooth_light.hpp); irradiance is
-                       ///< left as it is
-  int threads = 0;     ///< 0 = as many as the machine has
+  /// Rays over the hemisphere of each place at which light is gathered from the solution
+  /// (gathered_light.hpp), so that no patches show; 0 = the light of the patches.
+  int gather_rays = 64;
+  int gather_every_px = 8;  ///< distance of these places in the picture; shadows of lamps: 4
+  bool smooth = true;       ///< without gathering: radiosity without the patches' edges
+                            ///< (smooth_light.hpp); irradiance is left as it is
+  int threads = 0;          ///< 0 = as many as the machine has
   std::uint64_t seed = 1;
 };
 
@@ -28,11 +30,12 @@ struct RenderConfig {
 struct LightImage {
   struct Pixel {
     float radiosity[3] = {0, 0, 0};
-    float irradiance = 0;  ///< mean of the bands
+    float irradiance = 0;  ///< as one value (one_value.hpp)
     float cover = 0;       ///< share of the samples that met a surface
     float section = 0;     ///< share that met the inside of a solid at the cut
   };
   int width = 0, height = 0;
+  std::size_t gathered_places = 0;  ///< at which light was gathered; 0 = light of the patches
   std::vector<Pixel> pixels;
 };
 

@@ -24,6 +24,8 @@ class ToneMap {
   ToneMap(std::vector<std::pair<double, double>> weighted_luminances, const ToneConfig& config);
   std::array<double, 3> operator()(const std::array<double, 3>& rgb) const;
   double exposure() const { return exposure_; }
+  /// Light times exposure() that is shown as white.
+  double white() const { return white_; }
 
  private:
   ToneConfig::Curve curve_;

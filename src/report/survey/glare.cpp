@@ -8,7 +8,7 @@
 #include "geometry/clip.hpp"
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 
 namespace enfilade {
 namespace {

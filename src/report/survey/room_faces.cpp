@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 
 namespace enfilade {
 namespace {

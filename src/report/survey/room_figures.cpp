@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/run_on_threads.hpp"
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 #include "report/survey/room_faces.hpp"
 #include "report/survey/standing_place.hpp"
 

@@ -30,6 +30,21 @@ bool alike(const IntensityDistribution* a, const IntensityDistribution* b) {
   return true;
 }
 
+/// The same sky, whatever its luminance.
+bool alike(const Sky* a, const Sky* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  const SkyShape &s = a->shape, &t = b->shape;
+  return s.overcast == t.overcast && alike(s.a, t.a) && alike(s.b, t.b) && alike(s.c, t.c) &&
+         alike(s.d, t.d) && alike(s.e, t.e) && alike(a->zenith, b->zenith) &&
+         (!s.needs_sun() || alike(a->sun, b->sun));
+}
+
+/// The same cone of light, or none.
+bool alike(const std::optional<SpotCone>& a, const std::optional<SpotCone>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return alike(a->inner, b->inner) && alike(a->outer, b->outer);
+}
+
 bool alike(const LightSource& a, const LightSource& b) {
   const auto same_opening = [&] {
     return std::ranges::equal(a.opening, b.opening, [](const Polygon& p, const Polygon& q) {
@@ -37,7 +52,8 @@ bool alike(const LightSource& a, const LightSource& b) {
     });
   };
   return alike(a.p, b.p) && alike(a.frame.aim, b.frame.aim) && alike(a.frame.up, b.frame.up) &&
-         alike(a.distribution.get(), b.distribution.get()) && same_opening();
+         alike(a.distribution.get(), b.distribution.get()) && alike(a.cone, b.cone) &&
+         alike(a.sky.get(), b.sky.get()) && alike(a.far_m, b.far_m) && same_opening();
 }
 
 bool shines(const LightSource& light) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/form_factor.hpp"
+#include "report/pictures/camera_view.hpp"
 #include "unit/report/lit_rooms.hpp"
 
 namespace enfilade {
@@ -15,6 +17,7 @@ RenderConfig small(int width = 32, int height = 18) {
   config.height = height;
   config.samples = 1;
   config.threads = 1;
+  config.gather_rays = 0;
   return config;
 }
 
@@ -108,18 +111,81 @@ TEST(Render, CutAwayLooksIntoTheRooms) {
   EXPECT_GT(solid, 64 * 64 / 100);
 }
 
-TEST(Render, GatherAgreesWithEvenLight) {
-  // The light of patches that are small for their distance is taken as it is.
+/// The lit floor straight from above, by each pixel's mean in 2 m x 2 m.
+Camera from_above() {
+  Camera camera;
+  camera.eye = {2.0, 2.5, 2.0};
+  camera.look_at = {2.0, 2.5, 0.0};
+  camera.up = {0, 1, 0};
+  camera.parallel_height_m = 2.0;
+  return camera;
+}
+
+TEST(Render, GatheredLightIsThatOfTheLampAndTheWalls) {
+  // Walls, floor and ceiling have radiosity 20 everywhere, the lamp 100: light at the floor is 20
+  // and what the lamp gives more than the ceiling behind it, by closed form.
   LitRooms rooms;
-  rooms.subdivide(0.05);
   rooms.set_irradiance([](const Vec3&) { return 40.0; });
-  RenderConfig config = small(4, 4);
+  RenderConfig config = small(40, 40);
+  config.gather_rays = 1024;
+  const LightImage image = render(rooms.solved(), from_above(), config);
+  EXPECT_GT(image.gathered_places, 24u);
+  const Polygon lamp{{1.5, 2, 2.9}, {1.5, 3, 2.9}, {2.5, 3, 2.9}, {2.5, 2, 2.9}};
+  for (int y = 2; y < 40; y += 5) {
+    for (int x = 2; x < 40; x += 5) {
+      const Vec3 p(1.0 + 0.05 * (x + 0.5), 3.5 - 0.05 * (y + 0.5), 0.0);
+      const double expected = 20.0 + 80.0 * point_to_polygon(p, Vec3(0, 0, 1), lamp);
+      EXPECT_NEAR(pixel(image, x, y).irradiance, expected, 0.02 * expected);
+      EXPECT_NEAR(pixel(image, x, y).radiosity[0], 0.5 * pixel(image, x, y).irradiance, 1e-3);
+    }
+  }
+}
+
+TEST(Render, GatheredLightShowsNoPatches) {
+  // Light in steps from patch to patch: what is gathered has none of them.
+  LitRooms rooms(1, 1, Basis::constant);
+  rooms.subdivide(1.3);
+  rooms.set_irradiance([](const Vec3& p) { return 10.0 * p.x; });
+  const auto widest_step = [](const LightImage& image) {
+    double widest = 0.0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 1; x < image.width; ++x)
+        widest = std::max<double>(
+            widest, std::abs(pixel(image, x, y).irradiance - pixel(image, x - 1, y).irradiance));
+    }
+    return widest;
+  };
+  RenderConfig config = small(40, 40);
+  const double of_patches = widest_step(render(rooms.solved(), from_above(), config));
   config.gather_rays = 256;
-  const LightImage image = render(rooms.solved(), looking({2, 1, 1}, {2, 1.2, 0}), config);
-  // Walls have radiosity 20; the lamp, 1 m2 of 100, adds some below it.
-  EXPECT_GT(pixel(image, 2, 2).irradiance, 20.0f);
-  EXPECT_LT(pixel(image, 2, 2).irradiance, 30.0f);
-  EXPECT_NEAR(pixel(image, 2, 2).radiosity[0], 0.5f * pixel(image, 2, 2).irradiance, 1e-3);
+  EXPECT_LT(widest_step(render(rooms.solved(), from_above(), config)), 0.1 * of_patches);
+}
+
+TEST(Render, GatheredLightKeepsToItsPlane) {
+  // At the edge of floor and wall no light of one is mixed into the other, which has another angle
+  // to the lamp.
+  LitRooms rooms;
+  rooms.set_irradiance([](const Vec3&) { return 0.0; });
+  RenderConfig config = small(60, 60);
+  config.gather_rays = 16;
+  Camera camera = looking({2.0, 2.5, 1.5}, {4.0, 2.5, 0.0});
+  camera.vertical_angle_deg = 30.0;
+  const LightImage image = render(rooms.solved(), camera, config);
+  const Polygon lamp{{1.5, 2, 2.9}, {1.5, 3, 2.9}, {2.5, 3, 2.9}, {2.5, 2, 2.9}};
+  const CameraView view(rooms.solved(), camera, 1.0);
+  int walls = 0;
+  for (int y = 1; y < 60; y += 4) {
+    for (int x = 1; x < 60; ++x) {
+      const CameraView::Seen seen = view.at(2.0 * (x + 0.5) / 60 - 1.0, 1.0 - 2.0 * (y + 0.5) / 60);
+      if (seen.what != CameraView::Seen::What::front) continue;
+      const PolygonRef ref = rooms.occluders->local(seen.polygon);
+      const Vec3 n = rooms.states[ref.cluster.index()].patches().frames()[ref.polygon].n;
+      const double expected = 100.0 * point_to_polygon(seen.p, n, lamp);
+      EXPECT_NEAR(pixel(image, x, y).irradiance, expected, 0.06 * expected + 0.02);
+      walls += n.z < 0.5;
+    }
+  }
+  EXPECT_GT(walls, 200);
 }
 
 TEST(Render, SmoothLightKeepsSlopesAndMeans) {

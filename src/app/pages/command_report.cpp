@@ -1,9 +1,9 @@
 // enfilade report: one self-contained page about one run or several.
-#include "app/commands/commands.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
 #include "app/outputs/run_outputs.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/pages/pages.hpp"
 #include "base/atomic_file.hpp"
 #include "report/page/html_report.hpp"
 
@@ -34,8 +34,8 @@ void run_report(const ReportOptions& options, const Console& console) {
     RunLock lock;
     lock.read(directory);
     const SolvedRun run(directory);
-    pages.push_back(
-        make_run_page({directory, options.pictures, options.rooms}, run, console.progress()));
+    pages.push_back(make_run_page({directory, options.pictures, options.rooms, false}, run,
+                                  console.progress()));
   }
   const std::string html = report_html(pages);
   write_file_atomically(options.output, html);

@@ -1,18 +1,21 @@
 // enfilade render: a picture of the solved scene.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/commands.hpp"
 #include "app/frame/option_checks.hpp"
 #include "app/frame/output_file.hpp"
 #include "app/frame/text_table.hpp"
+#include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
+#include "app/pages/pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "report/pictures/camera.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/render.hpp"
 #include "report/pictures/tone_mapping.hpp"
+#include "report/survey/room_cameras.hpp"
 
 namespace enfilade {
 
@@ -39,7 +42,8 @@ struct RenderOptions {
 Vec3 point(const std::vector<double>& p) { return {p[0], p[1], p[2]}; }
 
 /// The camera of --eye and --look-at, else the named one of --cameras or of the automatic cameras.
-Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
+Camera choose_camera(const RenderOptions& options, const SolvedRun& run) {
+  const SolvedScene solved = run.solved_scene();
   if (!options.eye.empty()) {
     Camera camera;
     camera.name = "asked";
@@ -50,8 +54,9 @@ Camera choose_camera(const RenderOptions& options, const SolvedScene& solved) {
     check_camera(camera, "command line", "--");
     return camera;
   }
-  const std::vector<Camera> cameras =
-      options.camera_file.empty() ? automatic_cameras(solved) : read_cameras(options.camera_file);
+  const std::vector<Camera> cameras = options.camera_file.empty()
+                                          ? room_cameras(solved, rooms_of_run(run))
+                                          : read_cameras(options.camera_file);
   std::string names;
   for (const Camera& camera : cameras) {
     if (options.camera_name.empty() || camera.name == options.camera_name) return camera;
@@ -82,7 +87,7 @@ void run_render(const RenderOptions& options, const Console& console) {
   lock.read(options.run);
   const SolvedRun run(options.run, {}, options.light);
   const SolvedScene solved = run.solved_scene();
-  const Camera camera = choose_camera(options, solved);
+  const Camera camera = choose_camera(options, run);
   const LightImage light = render(solved, camera, options.render, console.progress());
   const std::string unit = irradiance_label(solved.scene.unit);
   ToneConfig tone = options.tone;
@@ -95,6 +100,10 @@ void run_render(const RenderOptions& options, const Console& console) {
   TextTable table(options.output);
   table.add("camera", camera.name);
   table.add("pixels", std::to_string(picture.width) + " x " + std::to_string(picture.height));
+  if (light.gathered_places > 0)
+    table.add("light",
+              fmt::format("gathered at {} places by {} rays each",
+                          with_thousands(light.gathered_places), options.render.gather_rays));
   if (options.false_colour) table.add("unit", unit);
   console.print(table.text());
 }
@@ -121,10 +130,16 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
   group.add("--width", o.render.width, "Pixels", CLI::Range(1, 20000));
   group.add("--height", o.render.height, "Pixels", CLI::Range(1, 20000));
   group.add("--samples", o.render.samples, "Rays a pixel", CLI::Range(1, 4096));
-  group.add("--gather-rays", o.render.gather_rays,
-            "Rays of a gather from the solution at each pixel: slow, and shows no mesh lines; "
-            "0 = none",
-            CLI::Range(0, 1000000));
+  group.add(
+      "--gather-rays", o.render.gather_rays,
+      "Light is gathered from the solution at places of the picture, by so many rays over the "
+      "hemisphere of each, and smoothed between them: no patches show; 0 = light of the patches",
+      CLI::Range(0, 1000000));
+  group.add(
+      "--gather-every", o.render.gather_every_px,
+      "Distance of these places, pixels; the light that comes straight from lamps is found at "
+      "least every 4 pixels",
+      CLI::Range(1, 1000));
   group.add("--threads", o.render.threads, "Threads; 0 = one a core", CLI::Range(0, 4096));
   group
       .add("--exposure", o.tone.exposure,

@@ -1,4 +1,4 @@
-#include "report/survey/one_value.hpp"
+#include "report/pictures/one_value.hpp"
 
 #include "scene/equal_bands.hpp"
 #include "scene/photopic.hpp"

@@ -1,0 +1,35 @@
+#include "app/outputs/walk_file.hpp"
+
+#include <filesystem>
+
+#include "app/outputs/room_survey.hpp"
+#include "run/light_shares.hpp"
+
+namespace enfilade {
+namespace {
+
+std::string name_of_run(const std::string& run_directory) {
+  std::filesystem::path directory = std::filesystem::path(run_directory).lexically_normal();
+  if (!directory.has_filename()) directory = directory.parent_path();
+  return directory.filename().string();
+}
+
+}  // namespace
+
+std::string walk_page(const SolvedRun& run, const std::string& run_directory,
+                      const RoomTable* table, const std::string& program) {
+  const SolvedScene solved = run.solved_scene();
+  std::vector<SurveyRoom> rooms;
+  if (table == nullptr) rooms = rooms_of_run(run);
+  for (std::size_t i = 0; table != nullptr && i < table->rooms.size(); ++i)
+    rooms.push_back(table->rooms[i].room);
+  WalkSubject subject{solved, name_of_run(run_directory), rooms, table, {}, run.patch_error()};
+  LightShares shares;
+  if (read_share_index(run_directory))
+    shares = read_light_shares(run_directory, run.prepared(), solved.states);
+  for (const ShareGroup& group : shares.groups) subject.shares.names.push_back(group.name);
+  subject.shares.clusters = shares.clusters;
+  return walk_html(subject, program);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,16 @@
+// The walk-through page of a solved run.
+#pragma once
+
+#include <string>
+
+#include "app/outputs/solved_run.hpp"
+#include "report/walk/walk_page.hpp"
+
+namespace enfilade {
+
+/// Returns walk.html, made with walk_program(), with the shares of the light that the run has, so
+/// that lamps can be dimmed. `table` may be null, or is what survey_run() gave.
+std::string walk_page(const SolvedRun& run, const std::string& run_directory,
+                      const RoomTable* table, const std::string& program);
+
+}  // namespace enfilade
