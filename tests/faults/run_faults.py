@@ -96,7 +96,7 @@ def run(fault, tree, options):
     return outcome
 
 
-def table(outcomes, revision):
+def table(outcomes, left, revision):
     units = sum(bool(o["units"]) for o in outcomes)
     later = sum(bool(o["end_to_end"]) for o in outcomes)
     lines = ["# Faults on purpose", "",
@@ -108,6 +108,8 @@ def table(outcomes, revision):
         seen = o.get("error") or (", ".join(f"`{name}`" for name in first[:2]) + (f" and {len(first) - 2} more" if len(first) > 2 else "") or "**none**")
         later = "-" if o["end_to_end"] is None else ", ".join(o["end_to_end"][:3]) or "**none**"
         lines.append(f"| {o['name']} | `{o['file'].removeprefix('src/')}` | {', '.join(o['rooms'])} | {seen} | {later} |")
+    if left:
+        lines += ["", f"Not run yet ({len(left)}): " + "; ".join(f"{fault['name']} (`{fault['file'].removeprefix('src/')}`)" for fault in left) + "."]
     return "\n".join(lines) + "\n"
 
 
@@ -143,7 +145,9 @@ def main():
     if options.table:
         order = {f["name"]: i for i, f in enumerate(faults)}
         revision = subprocess.run(["git", "rev-parse", "--short=7", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
-        options.table.write_text(table(sorted((o for o in done if o["name"] in order), key=lambda o: order[o["name"]]), revision))
+        ran = sorted((o for o in done if o["name"] in order), key=lambda o: order[o["name"]])
+        names = {o["name"] for o in ran}
+        options.table.write_text(table(ran, [f for f in faults if f["name"] not in names], revision))
 
 
 if __name__ == "__main__":
