@@ -8,6 +8,7 @@
 
 #include "base/progress.hpp"
 #include "final_gather/emitter_sampler.hpp"
+#include "occluders/light_at.hpp"
 #include "report/pictures/camera_view.hpp"
 
 namespace enfilade {
@@ -42,8 +43,8 @@ class QuickGather {
     const PatchForest* forest;
     std::uint32_t k;
   };
-  double visible_share(const Emitter& emitter, const Vec3& from, std::uint32_t own, int rays,
-                       Random& random) const;
+  void add_emitter(const Emitter& emitter, const LitPlace& place, double factor, int rays,
+                   Random& random, std::span<double> e) const;
 
   const SolvedScene& solved_;
   int rays_;

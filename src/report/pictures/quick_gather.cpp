@@ -3,7 +3,6 @@
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
-#include "occluders/light_at.hpp"
 #include "report/pictures/gathered_light.hpp"
 
 namespace enfilade {
@@ -32,25 +31,30 @@ QuickGather::QuickGather(const SolvedScene& solved, int rays)
   }
 }
 
-/// By one ray to each quarter of the emitter in turn.
-double QuickGather::visible_share(const Emitter& emitter, const Vec3& from, std::uint32_t own,
-                                  int rays, Random& random) const {
+/// Adds its light times `factor`, where it is seen: by one ray to each quarter of the emitter in
+/// turn.
+void QuickGather::add_emitter(const Emitter& emitter, const LitPlace& place, double factor,
+                              int rays, Random& random, std::span<double> e) const {
   const PolygonFrame& frame = emitter.forest->frames()[emitter.k];
   const PatchShape& shape = emitter.forest->node(emitter.k).shape;
   const auto start = random.below(4);
-  int seen = 0;
   for (int i = 0; i < rays; ++i) {
     const double r1 = random.uniform(), r2 = random.uniform();
     const int quarter = static_cast<int>((start + static_cast<std::uint64_t>(i)) % 4);
     const Vec3 y = frame.at(shape.point_in_quarter(quarter, r1, r2));
-    seen += !solved_.occluders.rays().occluded(from, y, own, emitter.polygon, RayStart::in_air);
+    const Passage passage =
+        solved_.occluders.passage(place.x, y, place.own, emitter.polygon, place.start);
+    if (passage.share <= 0.0) continue;
+    for (std::size_t band = 0; band < e.size(); ++band)
+      e[band] +=
+          factor / rays * passage.band(band) * mean_radiosity(*emitter.forest, emitter.k, band);
   }
-  return static_cast<double>(seen) / rays;
 }
 
 void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                              std::span<double> e) const {
   const Vec3 from = p + 2.0 * solved_.occluders.rays().epsilon_m() * n;
+  const LitPlace place{from, n, own, RayStart::in_air};
   std::vector<std::pair<double, const Emitter*>> in_view;
   double total = 0.0;
   for (const Emitter& emitter : emitters_) {
@@ -63,18 +67,15 @@ void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Ra
   for (const auto& [factor, emitter] : in_view) {
     const bool large =
         factor * mean_radiosity(*emitter->forest, emitter->k, 0) > large_share * total;
-    const double seen =
-        factor * visible_share(*emitter, from, own, large ? shadow_rays : 1, random);
-    for (std::size_t band = 0; band < e.size(); ++band)
-      e[band] += seen * mean_radiosity(*emitter->forest, emitter->k, band);
+    add_emitter(*emitter, place, factor, large ? shadow_rays : 1, random, e);
   }
-  const LitPlace place{from, n, own, RayStart::in_air};
   for (const LightSource& light : solved_.scene.lights) {
     const int rays = light.opening.empty() ? 1 : shadow_rays;
     for (int i = 0; i < rays; ++i) {
       const double r1 = random.uniform(), r2 = random.uniform();
-      const double kernel = light_by_one_ray(light, place, solved_.occluders, r1, r2) / rays;
-      for (std::size_t band = 0; band < e.size(); ++band) e[band] += kernel * light.intensity[band];
+      const LightAtPoint found = light_by_one_ray(light, place, solved_.occluders, r1, r2);
+      for (std::size_t band = 0; band < e.size(); ++band)
+        e[band] += found.band(band) / rays * light.intensity[band];
     }
   }
 }
@@ -89,12 +90,24 @@ void QuickGather::add_reflected(const Vec3& p, const Vec3& n, std::uint32_t own,
     const double turn = (i % side + random.uniform()) / side;
     const Vec3 d = cosine_direction(n, r2, turn);
     const RayHit hit = solved_.occluders.rays().closest(from, d, own, 1e30, RayStart::in_air);
-    if (!hit.any() || !hit.front || sampler_.contains(hit.polygon)) continue;
-    const PolygonRef ref = solved_.occluders.local(hit.polygon);
-    const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
-    forest.evaluate(true, ref.polygon, from + hit.distance_m * d, radiosity);
-    for (std::size_t band = 0; band < e.size(); ++band)
-      e[band] += std::max(0.0, radiosity[band]) / (side * side);
+    Passage passage;
+    const auto add = [&](std::uint32_t polygon, double distance_m, const Passage& through) {
+      if (sampler_.contains(polygon)) return;
+      const PolygonRef ref = solved_.occluders.local(polygon);
+      const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
+      forest.evaluate(true, ref.polygon, from + distance_m * d, radiosity);
+      for (std::size_t band = 0; band < e.size(); ++band)
+        e[band] += through.band(band) * std::max(0.0, radiosity[band]) / (side * side);
+    };
+    if (solved_.occluders.panes().any()) {
+      const double distance_m = hit.any() ? hit.distance_m : far_away_m;
+      for (const PaneMet& pane :
+           solved_.occluders.panes_along(from, d, distance_m, own, RayStart::in_air)) {
+        if (pane.front) add(pane.polygon, pane.distance_m, pane.before);
+        passage = pane.behind;
+      }
+    }
+    if (hit.any() && hit.front) add(hit.polygon, hit.distance_m, passage);
   }
 }
 

@@ -98,7 +98,9 @@ double from_lamp(const Vec3& x, const Passes& passes, int steps = 400) {
 }
 
 /// Where the way from x to y passes height z.
-Vec3 at_height(const Vec3& x, const Vec3& y, double z) { return x + (z - x.z) / (y.z - x.z) * (y - x); }
+Vec3 at_height(const Vec3& x, const Vec3& y, double z) {
+  return x + (z - x.z) / (y.z - x.z) * (y - x);
+}
 
 const std::vector<Vec3> floor_points{{1, 1.7, 0}, {3.5, 0.5, 0}, {2.2, 3.6, 0}, {0.1, 0.1, 0}};
 
@@ -117,7 +119,9 @@ void expect_lamp_light(const Scene& scene, std::size_t band, const auto& passes)
       sum += expected;
     }
   }
-  EXPECT_LT(off, 0.015 * sum);
+  // A link has one tint for all of its receiver, which costs the bands that pass least some
+  // accuracy.
+  EXPECT_LT(off, (band == 0 ? 0.015 : 0.02) * sum);
 }
 
 TEST(Panes, DimByTheAngle) {
@@ -166,7 +170,8 @@ TEST(Panes, DimPointLights) {
       const Spectrum e = gather.irradiance(at, {0, 0, 1});
       EXPECT_NEAR(e[0], plain * share * (through ? 0.7 : 1.0), 1e-4 * plain);
       EXPECT_NEAR(e[1], plain * share * (through ? 0.2 : 1.0), 1e-4 * plain);
-      off += std::abs(gather.from_patches(at, {0, 0, 1})[1] - plain * share * (through ? 0.2 : 1.0));
+      off +=
+          std::abs(gather.from_patches(at, {0, 0, 1})[1] - plain * share * (through ? 0.2 : 1.0));
       sum += plain;
     }
   }
