@@ -23,8 +23,9 @@ class EmitterPicker {
 
   /// Running sums of the lamps' probabilities by distance, not normalised, for places near p.
   std::vector<double> weights(const Vec3& p) const;
-  /// Adds an estimate, by one ray, of share * the irradiance that all lamps give at `place`.
-  /// Unbiased for the emitters' mean radiosities. `weights`: for any place.
+  /// Adds an estimate, by one ray, of share * the irradiance that all lamps give at `place`: of an
+  /// emitter's mean radiosity, and as if what hides a part of it hid the same share of its factor.
+  /// `weights`: for any place.
   void add_picked(const LitPlace& place, std::span<const double> weights, Random& random,
                   std::span<const double> share, Spectrum& irradiance) const;
 

@@ -30,10 +30,8 @@ constexpr double usual_patch_error = 0.02;
 /// Paths that carry less than this share of what they began with end by chance.
 constexpr double faint = 0.05;
 constexpr int most_bounces = 64;
-/// Rays that show what a point sees, before those that estimate its light.
-constexpr int most_survey_rays = 256;
-/// Sets of rays for one point, each of PointGatherConfig::rays.
-constexpr int most_ray_sets = 128;
+constexpr int most_survey_rays = 256;  ///< show what a point sees, before others estimate its light
+constexpr int most_ray_sets = 128;     ///< for one point, each of PointGatherConfig::rays
 /// Noise below this share of the scene's mean irradiance does not matter.
 constexpr double unseen_noise = 1e-4;
 /// Noise of so much of the error of the reflected light adds next to nothing to it.
@@ -41,7 +39,7 @@ constexpr double share_of_error = 0.25;
 /// Links are refined by the power at stake, so that the light of dark rooms is less accurate than
 /// its own amount tells: its error is relative to this share of the mean irradiance as well.
 constexpr double share_everywhere = 0.1;
-/// Of the ambient light: what is left after the control variate is added and subtracted again.
+/// Of the ambient light: what adding and subtracting the control variate leaves.
 constexpr double rounding = 1e-12;
 
 }  // namespace
@@ -255,8 +253,8 @@ PointGather::~PointGather() = default;
 PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   // Seeded for each point: the answer does not depend on the points before it.
   Random random(impl_->config.seed);
-  const Spectrum none(impl_->bands, 0.0);
-  PointIrradiance light{none, none, none, none};
+  PointIrradiance light;
+  light.irradiance = light.error = light.noise = light.direct = Spectrum(impl_->bands, 0.0);
   Spectrum& e = light.irradiance;
   const std::uint32_t own = surface_at(*impl_->occluders, p, n);
   const Vec3 x = lifted(*impl_->occluders, p, n);
