@@ -106,6 +106,12 @@ RelitClusters::RelitClusters(const Relight& relight, const Prepared& prepared)
 LinkSet RelitClusters::links_of(const ClusterState& old) const {
   const LinkSet& links = old.links();
   LinkSet kept(links.stride());
+  const auto keep = [&](const Link& link, std::size_t k) {
+    std::vector<double> tint;
+    for (std::size_t b = 0; b < relight_.old_band.size() && !links.tint(k).empty(); ++b)
+      tint.push_back(links.tint(k)[relight_.old_band[b]]);
+    kept.add(link, links.transport(k), tint);
+  };
   for (std::uint32_t i = 0; i < relight_.old_light.size(); ++i) {
     if (relight_.old_light[i] == Relight::none) {
       Link link;
@@ -119,14 +125,14 @@ LinkSet RelitClusters::links_of(const ClusterState& old) const {
       Link link = links[k];
       link.shooter.root = i;
       link.finest = link.evaluated;
-      kept.add(link, links.transport(k));
+      keep(link, k);
     }
   }
   for (std::size_t k = 0; k < links.size(); ++k) {
     if (links[k].is_light()) continue;
     Link link = links[k];
     if (!link.is_far()) link.finest = link.evaluated;
-    kept.add(link, links.transport(k));
+    keep(link, k);
   }
   return kept;
 }
