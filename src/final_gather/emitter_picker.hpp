@@ -10,7 +10,7 @@
 
 namespace enfilade {
 
-/// Picks among the bright emitters, the hot spots (all called lamps here) and the lights. Rays from
+/// Picks among the bright emitters and the lights. Rays from
 /// each of them show once which polygons it lights. At a place on a polygon, one of the lamps that
 /// light the polygon is picked by what it would bring if nothing hid it; now and then one of all
 /// lamps by its distance, since few rays miss much (a mixture density, Veach 1997, chapter 9).

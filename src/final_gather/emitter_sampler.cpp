@@ -38,65 +38,31 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
   for (const ClusterState& c : clusters) polygons += c.patches().polygons();
   is_bright_.assign(polygons, false);
   const double limit = bright_ratio * mean_radiosity_over(clusters);
-  const auto each = [&](const auto& action) {
-    for (const ClusterState& c : clusters) {
-      for (std::uint32_t k = 0; k < c.patches().polygons(); ++k)
-        action(occluders.global(c.id(), k), c.patches(), k);
+  for (const ClusterState& c : clusters) {
+    const PatchForest& f = c.patches();
+    for (std::uint32_t k = 0; k < f.polygons(); ++k) {
+      const double largest = largest_radiosity(f, k);
+      if (largest <= 0.0) continue;
+      const std::uint32_t number = occluders.global(c.id(), k);
+      is_bright_[number] = largest > limit;
+      Emitter& added =
+          (is_bright_[number] ? bright_ : others_)
+              .emplace_back(
+                  Emitter{number, &f, k, corners_of(f.frames()[k], f.node(k).shape), largest, 0.0});
+      for (const Vec3& corner : added.corners) {
+        const Vec3 d = corner - added.center();
+        added.size2 = std::max(added.size2, glm::dot(d, d));
+      }
     }
-  };
-  each([&](std::uint32_t number, const PatchForest& f, std::uint32_t k) {
-    const double largest = largest_radiosity(f, k);
-    is_bright_[number] = largest > limit;
-    if (is_bright_[number]) add_source(number, f, k, largest);
-  });
-  bright_ = sources_.size();
-  each([&](std::uint32_t number, const PatchForest& f, std::uint32_t k) {
-    if (!is_bright_[number] && !f.node(k).leaf()) add_hot(number, f, k, limit);
-  });
-}
-
-void EmitterSampler::add_source(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
-                                double largest_radiosity) {
-  Emitter added{polygon, &forest, static_cast<std::uint32_t>(node), {}, largest_radiosity, 0.0};
-  added.corners = corners_of(added.frame(), added.shape());
-  for (const Vec3& corner : added.corners) {
-    const Vec3 d = corner - added.center();
-    added.size2 = std::max(added.size2, glm::dot(d, d));
-  }
-  sources_.push_back(std::move(added));
-}
-
-void EmitterSampler::add_hot(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
-                             double limit) {
-  const double largest = largest_radiosity(forest, node);
-  if (largest > limit) {
-    add_source(polygon, forest, node, largest);
-    hot_.emplace_back(polygon, sources_.back().node);
-  } else if (!forest.node(node).leaf()) {
-    for (const int i : {0, 1})
-      add_hot(polygon, forest, static_cast<std::size_t>(forest.node(node).first_child + i), limit);
   }
 }
 
-bool EmitterSampler::hot(std::uint32_t polygon, const Vec3& y) const {
-  const auto first = std::lower_bound(hot_.begin(), hot_.end(), std::pair{polygon, 0u});
-  if (first == hot_.end() || first->first != polygon) return false;
-  const PolygonRef ref = occluders_->local(polygon);
-  const PatchForest& forest = clusters_[ref.cluster.index()].patches();
-  for (auto node = static_cast<std::int32_t>(forest.leaf_at(ref.polygon, y)); node >= 0;
-       node = forest.node(static_cast<std::size_t>(node)).parent) {
-    if (std::binary_search(first, hot_.end(), std::pair{polygon, static_cast<std::uint32_t>(node)}))
-      return true;
-  }
-  return false;
-}
-
-/// The irradiance (largest band) that each bright emitter would give at p if nothing hid it.
-std::vector<double> EmitterSampler::unoccluded(const Vec3& p, const Vec3& n,
-                                               std::uint32_t own) const {
-  std::vector<double> weight(bright_, 0.0);
-  for (std::size_t i = 0; i < bright_; ++i) {
-    const Emitter& b = sources_[i];
+/// The irradiance (largest band) that each polygon would give at p if nothing hid it.
+std::vector<double> EmitterSampler::unoccluded(std::span<const Emitter> polygons, const Vec3& p,
+                                               const Vec3& n, std::uint32_t own) {
+  std::vector<double> weight(polygons.size(), 0.0);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Emitter& b = polygons[i];
     const PolygonFrame& frame = b.frame();
     const Vec3 d = frame.origin - p;  // from the polygon's centroid
     const double sent = -glm::dot(frame.n, d), r2 = glm::dot(d, d);
@@ -170,14 +136,14 @@ Spectrum EmitterSampler::Survey::mean(const ControlVariate& control, std::size_t
 void EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known,
                                     double least, Random& random, ControlVariate& control,
                                     Spectrum& variance) const {
-  const std::vector<double> weight = unoccluded(p, n, own);
+  const std::vector<double> weight = unoccluded(bright_, p, n, own);
   const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
   double seen = std::max(known, least_seen * total);
   VisibleNodes visible(*occluders_);
   ControlledPolygon next;
-  for (std::size_t i = 0; i < bright_; ++i) {
+  for (std::size_t i = 0; i < bright_.size(); ++i) {
     if (weight[i] <= negligible * total || weight[i] <= 0.0) continue;
-    const Emitter& b = sources_[i];
+    const Emitter& b = bright_[i];
     const ClusterId cluster = occluders_->local(b.polygon).cluster;
     next.polygon = b.polygon;
     if (!visible.find(p, n, own, cluster, *b.forest, b.node, least * seen, next.nodes)) {
@@ -194,44 +160,58 @@ void EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t 
 }
 
 /// Of the polygons seen, those that make rays noisy, until all others together would give
-/// `most_square` at most: the mean square of a ray's deviation from the mean.
-void EmitterSampler::control_seen(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                  const Survey& survey, double most_square, double least,
-                                  ControlVariate& control) const {
-  double sum = 0.0;
-  int ends = 0;
-  for (const Survey::Seen& polygon : survey.seen) {
-    sum += *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end());
-    ends += polygon.rays;
-  }
-  const double mean = ends > 0 ? sum / ends : 0.0;
+/// `most_square` at most: the mean square of a ray's deviation from the mean. Noisiest first.
+std::vector<std::uint32_t> EmitterSampler::noisy_polygons(const Survey& survey, double mean,
+                                                          double most_square) const {
   std::vector<std::pair<double, std::uint32_t>> noisy;
   double left = 0.0;
   for (const Survey::Seen& polygon : survey.seen) {
-    const double of_polygon = *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end());
+    const double sum = *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end());
     // A few rays may miss the brightest part.
     const PolygonRef ref = occluders_->local(polygon.polygon);
     const double deviation = clusters_[ref.cluster.index()].patches().deviation(ref.polygon);
-    const double square =
-        std::max(polygon.square - 2.0 * mean * of_polygon + polygon.rays * mean * mean,
-                 polygon.rays * deviation * deviation) /
-        survey.rays;
+    const double square = std::max(polygon.square - 2.0 * mean * sum + polygon.rays * mean * mean,
+                                   polygon.rays * deviation * deviation) /
+                          survey.rays;
     left += square;
     noisy.emplace_back(square, polygon.polygon);
   }
   std::stable_sort(noisy.begin(), noisy.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::uint32_t> polygons;
+  for (const auto& [square, polygon] : noisy) {
+    if (left <= most_square || polygons.size() >= most_controlled) break;
+    polygons.push_back(polygon);
+    left -= square;
+  }
+  return polygons;
+}
+
+/// Of the polygons that are not bright: by the survey, and by what they would give if nothing hid
+/// them, since the survey may miss one that is seen at a low angle.
+void EmitterSampler::control_others(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                    const Survey& survey, double most_square, double least_share,
+                                    double least, ControlVariate& control) const {
+  const Spectrum means = survey.mean(control, control.ambient.size());
+  const double mean = means.empty() ? 0.0 : *std::max_element(means.begin(), means.end());
+  std::vector<std::uint32_t> polygons = noisy_polygons(survey, mean, most_square);
+  const std::vector<double> bright = unoccluded(bright_, p, n, own);
+  const std::vector<double> weight = unoccluded(others_, p, n, own);
+  const double total = std::accumulate(weight.begin(), weight.end(),
+                                       std::accumulate(bright.begin(), bright.end(), 0.0));
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    if (weight[i] > least_share * total) polygons.push_back(others_[i].polygon);
+  }
+  std::sort(polygons.begin(), polygons.end());
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
   VisibleNodes visible(*occluders_);
   ControlledPolygon next;
-  for (std::size_t i = 0; i < std::min(noisy.size(), most_controlled); ++i) {
-    const auto& [square, polygon] = noisy[i];
-    if (left <= most_square) break;
+  for (const std::uint32_t polygon : polygons) {
     const PolygonRef ref = occluders_->local(polygon);
     next.polygon = polygon;
     if (visible.find_some(p, n, own, ref.cluster, clusters_[ref.cluster.index()].patches(),
                           ref.polygon, least, mean, next.nodes))
       control.polygons.push_back(next);
-    left -= square;
   }
 }
 
@@ -249,7 +229,8 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(
     for (const VisibleNode& node : polygon.nodes) known += node.irradiance(forest, 0);
   }
   const double noise = rays_share * least * known;
-  control_seen(p, n, own, survey, noise * noise * rays, least * known, control);
+  control.ambient.assign(irradiance.size(), 0.0);
+  control_others(p, n, own, survey, noise * noise * rays, least, least * known, control);
   std::sort(
       control.polygons.begin(), control.polygons.end(),
       [](const ControlledPolygon& a, const ControlledPolygon& b) { return a.polygon < b.polygon; });

@@ -53,8 +53,9 @@ class EmitterSampler {
 
   /// Makes the control variate at p (unit normal n, on polygon `own` or on none) and adds its
   /// integral to `irradiance`, which holds the light of point lights. Controlled are all bright
-  /// emitters, and of the polygons of `survey` those with few occluders (VisibleNodes) whose light
-  /// would make `rays` rays noisier than `least`, a share of the light at p. A bright emitter
+  /// emitters, and of the others those that may give the share `least` of all
+  /// light if nothing hid any, and those of `survey`, with few occluders (VisibleNodes), whose
+  /// light would make `rays` rays noisier than `least`, a share of the light at p. A bright emitter
   /// behind many occluders is cut into parts behind few, the smallest of which are sampled by rays;
   /// `variance` gains theirs.
   ControlVariate add_control_variate(const Vec3& p, const Vec3& n, std::uint32_t own,
@@ -64,7 +65,7 @@ class EmitterSampler {
   /// Adds what the control variate's polygons emit themselves, to the irradiance at its point.
   void add_emitted(const ControlVariate& control, Spectrum& irradiance) const;
 
-  /// A bright emitter, or a hot spot: a node of another polygon that is as bright.
+  /// A bright emitter, or another polygon that gives light.
   struct Emitter {
     std::uint32_t polygon;  ///< global number
     const PatchForest* forest;
@@ -79,30 +80,23 @@ class EmitterSampler {
       return forest->radiosity(node)[band * static_cast<std::size_t>(forest->terms())];
     }
   };
-  /// The bright emitters, then the hot spots: the topmost nodes.
-  std::span<const Emitter> sources() const { return sources_; }
-  /// True where point y of a polygon that is not bright (global number) lies in a hot spot.
-  bool hot(std::uint32_t polygon, const Vec3& y) const;
+  std::span<const Emitter> bright() const { return bright_; }
 
  private:
-  std::vector<double> unoccluded(const Vec3& p, const Vec3& n, std::uint32_t own) const;
+  static std::vector<double> unoccluded(std::span<const Emitter> polygons, const Vec3& p,
+                                        const Vec3& n, std::uint32_t own);
   void control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known, double least,
                       Random& random, ControlVariate& control, Spectrum& variance) const;
-  void control_seen(const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey,
-                    double most_square, double least, ControlVariate& control) const;
+  void control_others(const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey,
+                      double most_square, double least_share, double least,
+                      ControlVariate& control) const;
+  std::vector<std::uint32_t> noisy_polygons(const Survey& survey, double mean,
+                                            double most_square) const;
 
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;
-  std::span<const Emitter> bright() const { return {sources_.data(), bright_}; }
-  void add_source(std::uint32_t polygon, const PatchForest& forest, std::size_t node,
-                  double largest_radiosity);
-  void add_hot(std::uint32_t polygon, const PatchForest& forest, std::size_t node, double limit);
-
-  std::vector<Emitter> sources_;
-  std::size_t bright_ = 0;  ///< of sources_ are bright emitters
-  /// Global numbers of the hot spots' polygons and their nodes, ascending.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> hot_;
-  std::vector<bool> is_bright_;  // by global number
+  std::vector<Emitter> bright_, others_;  ///< others_: all else that gives light
+  std::vector<bool> is_bright_;           // by global number
 };
 
 }  // namespace enfilade

@@ -16,7 +16,6 @@ bool add_pane_light(const PathLeg& leg, std::span<const ClusterState> clusters,
     const PolygonRef ref = occluders.local(pane.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     const Vec3 at = leg.from + pane.distance_m * leg.direction;
-    if (control == nullptr && emitters.hot(pane.polygon, at)) continue;
     const VisibleNode* node =
         controlled != nullptr ? node_around(controlled->nodes, patches, ref.polygon, at) : nullptr;
     patches.evaluate(true, ref.polygon, at, radiosity);

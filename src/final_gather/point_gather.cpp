@@ -27,15 +27,14 @@ double least_share(const PointGatherConfig& config) {
 
 /// Error of the patches at which a patch's light is read off from one patch side away.
 constexpr double usual_patch_error = 0.02;
-/// Paths that carry less than this share of what they began with end by chance.
-constexpr double faint = 0.05;
+constexpr double faint = 0.05;  ///< Paths that carry less of what they began with end by chance.
 constexpr int most_bounces = 64;
-constexpr int most_survey_rays = 256;  ///< show what a point sees, before others estimate its light
-constexpr int most_ray_sets = 128;     ///< for one point, each of PointGatherConfig::rays
-/// Noise below this share of the scene's mean irradiance does not matter.
-constexpr double unseen_noise = 1e-4;
-/// Noise of so much of the error of the reflected light adds next to nothing to it.
-constexpr double share_of_error = 0.25;
+constexpr int most_survey_rays = 576;  ///< show what a point sees, before others estimate its light
+constexpr int most_ray_sets = 16;      ///< for one point, each of PointGatherConfig::rays
+constexpr double unseen_noise = 2e-5;  ///< Less of the mean irradiance does not matter.
+/// Noise of so much of the error of the reflected light adds next to nothing to it; it may be so
+/// many times what is asked for without that error.
+constexpr double share_of_error = 0.25, most_easing = 2.0;
 /// Links are refined by the power at stake, so that the light of dark rooms is less accurate than
 /// its own amount tells: its error is relative to this share of the mean irradiance as well.
 constexpr double share_everywhere = 0.1;
@@ -126,7 +125,6 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     for (std::size_t b = 0; b < bands && bounces == 0 && (node == nullptr || dimmed); ++b)
       e[b] -= share * control.ambient[b];
     if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
-    if (bounces > 0 && emitters.hot(hit.polygon, at)) return first;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
     if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
@@ -189,7 +187,8 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
 /// reflected.
 double PointGather::Impl::most_noise(std::size_t band, double light, double reflected) const {
   const double least = std::max(config.least_noise() * light, unseen_noise * mean_irradiance[band]);
-  return config.noise ? least : std::max(least, share_of_error * reflected_error(band, reflected));
+  if (config.noise) return least;
+  return std::clamp(share_of_error * reflected_error(band, reflected), least, most_easing * least);
 }
 
 /// One standard deviation of the reflected light of a band, by the error of the patches.
@@ -238,7 +237,7 @@ PointGather::Impl::Impl(std::span<const ClusterState> of, std::span<const LightS
       occluders(&between),
       config(how),
       emitters(of, between),
-      picker(emitters.sources(), by, between, how.seed),
+      picker(emitters.bright(), by, between, how.seed),
       bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].bands())),
       lead_bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].patches().lead_bands())),
       mean_irradiance(mean_irradiance_over(of)) {}

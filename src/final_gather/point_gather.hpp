@@ -14,10 +14,10 @@
 namespace enfilade {
 
 struct PointGatherConfig {
-  int rays = 256;  ///< in a set, over the hemisphere
-  /// A point gets further sets of rays, up to 128, while their noise (standard error) is above this
-  /// share of its light and above 1e-4 of the mean irradiance; by default, and above a quarter of
-  /// the reflected light's error as well. 0 = one set.
+  int rays = 4096;  ///< in a set, over the hemisphere
+  /// A point gets further sets of rays, up to 16, while their noise (standard error) is above this
+  /// share of its light and above 2e-5 of the mean irradiance; by default up to twice as much,
+  /// where a quarter of the reflected light's error is more. 0 = one set.
   std::optional<double> noise{};
   std::uint64_t seed = 1;
   /// Relative error of the light of patches. The larger it is, the farther away a patch must be for

@@ -67,7 +67,7 @@ TEST(EmitterPicker, PickedRaysAreUnbiased) {
   const double want = 20.0 * point_to_polygon(p, up, open_1) +
                       300.0 * point_to_polygon(p, up, open_2) +
                       500.0 * point_to_polygon(p, up, seen);
-  const EmitterPicker picker(sampler.sources(), {}, field.occluders, 1);
+  const EmitterPicker picker(sampler.bright(), {}, field.occluders, 1);
   const std::vector<double> weights = picker.weights(p);
   Random random(1);
   testing::Samples samples;
@@ -100,8 +100,8 @@ TEST(EmitterPicker, PicksOnAPolygonWhatLightsIt) {
   }
   const Field field(scene);
   const EmitterSampler sampler(field.states, field.occluders);
-  ASSERT_EQ(sampler.sources().size(), 40u);
-  const EmitterPicker picker(sampler.sources(), lights, field.occluders, 1);
+  ASSERT_EQ(sampler.bright().size(), 40u);
+  const EmitterPicker picker(sampler.bright(), lights, field.occluders, 1);
   const Vec3 on(20.6, 2.4, 0.1), up(0, 0, 1);
   const RayHit board = field.occluders.rays().closest(on + up, -up);
   ASSERT_TRUE(board.any());
@@ -121,25 +121,6 @@ TEST(EmitterPicker, PicksOnAPolygonWhatLightsIt) {
   EXPECT_TRUE(testing::has_mean(samples, want, 1, 1e-3 * want));
   // A pick among all 80 alike would have a variance of about 80 times the square of the mean.
   EXPECT_LT(samples.variance(), want * want);
-}
-
-/// A spot on a wall as bright as a lamp is a source of its own, and a point on the wall lies in it
-/// or not.
-TEST(EmitterSampler, FindsHotSpots) {
-  Scene scene = testing::box_room({0, 0, 0}, {6, 6, 3}, {0.5}, {0.0});
-  scene.surfaces.push_back(
-      black({{0.02, 2.9, 1.4}, {0.02, 3.1, 1.4}, {0.02, 3.1, 1.6}, {0.02, 2.9, 1.6}}, 0.0));
-  scene.surfaces.back().exitance = {500.0};
-  std::reverse(scene.surfaces.back().vertices.begin(), scene.surfaces.back().vertices.end());
-  const testing::Solved solved(scene, Basis::linear, 1e-4);
-  const EmitterSampler sampler(solved.states, solved.occluders);
-  const auto at = [&](double y, double z) {
-    const RayHit wall = solved.occluders.rays().closest({0.015, y, z}, {-1, 0, 0});
-    return sampler.hot(wall.polygon, {0.0, y, z});
-  };
-  ASSERT_GT(sampler.sources().size(), 1u);
-  EXPECT_TRUE(at(3.0, 1.5));
-  EXPECT_FALSE(at(0.5, 0.5));
 }
 
 /// Of a polygon that more stands before than is cut out, the nodes before which less stands are

@@ -49,14 +49,14 @@ TEST(GatheredLight, OfAPartThatIsNotMadeIsItsAncestorsThere) {
     const LinkSide side = LinkSide::of(shooter, ClusterId(1u), link.shooter);
     link.shooter_x = static_cast<float>(side.shape.centroid.x);
     link.shooter_y = static_cast<float>(side.shape.centroid.y);
-    gathered.read(link, &shooter);
+    gathered.read(link, {}, &shooter);
     const Vec2 d = side.shape.centroid - shooter.node(0).shape.centroid;
     EXPECT_NEAR(gathered.means()[0], 5.0 + 0.7 * d.x - 0.4 * d.y, 1e-5) << path;
     // And what arrives: the slopes are those of the ancestor.
     std::array<float, 9> transport{0.25f, 0.5f, -0.125f, 0, 0, 0, 0, 0, 0};
     GatheredLight one(two.states[0].patches(), {}, nullptr);
     link.receiver = {0, 1};
-    one.read(link, &shooter);
+    one.read(link, {}, &shooter);
     one.receive(link, transport);
     EXPECT_NEAR(one.irradiance()[0], 0.25 * gathered.means()[0] + 0.5 * 0.7 - 0.125 * -0.4, 1e-5);
   }

@@ -44,7 +44,7 @@ TEST(LightByOneRay, IsUnbiased) {
   testing::Samples samples;
   for (int i = 0; i < 40000; ++i) {
     const double r1 = random.uniform(), r2 = random.uniform();
-    samples.add(light_by_one_ray(light, place, occluders, r1, r2));
+    samples.add(light_by_one_ray(light, place, occluders, r1, r2).irradiance);
   }
   EXPECT_GT(samples.variance(), 0.0);
   EXPECT_TRUE(testing::has_mean(samples, want, 1, 1e-3 * want));
