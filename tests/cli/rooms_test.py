@@ -177,7 +177,7 @@ class Furnace(InScratch):
             self.assertAlmostEqual(float(row["area_m2"]), 18.0, delta=1e-3)
             self.assertAlmostEqual(float(row["height_m"]), 3.0, delta=1e-3)
             for key in "mean", "minimum", "maximum", "walls", "ceiling", "cylindrical":
-                self.assertAlmostEqual(float(row[key]), 100.0, delta=0.01, msg=key)
+                self.assertAlmostEqual(float(row[key]), 100.0, delta=0.03, msg=key)  # as even as its patches
             self.assertAlmostEqual(float(row["u0"]), 1.0, delta=1e-4)
             self.assertLess(float(row["error"]), 0.05)
             wanted = {(): ("cell 0", "Storey 1", ""), ("=L",): ("'=L", "EG", "met"), ("box",): (

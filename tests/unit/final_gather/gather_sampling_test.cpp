@@ -132,7 +132,7 @@ TEST(VisibleNodes, FindSomeOfAPolygonBehindMany) {
   for (int i = 0; i < 30; ++i) {
     const double x = 3.5 + 0.05 * i;
     scene.surfaces.push_back(
-        black({{x, 0.5, 1}, {x + 0.02, 0.5, 1}, {x + 0.02, 5.5, 1}, {x, 5.5, 1}}, 0.0));
+        black({{x, 0.5, 2.5}, {x + 0.02, 0.5, 2.5}, {x + 0.02, 5.5, 2.5}, {x, 5.5, 2.5}}, 0.0));
   }
   const testing::Solved solved(scene, Basis::linear, 1e-3);
   const Vec3 p(3.0, 3.0, 0.2), up(0, 0, 1);

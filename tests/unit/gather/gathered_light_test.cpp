@@ -75,7 +75,7 @@ TEST(GatheredLight, OfAGroupGoesByTheCosine) {
   ASSERT_TRUE(link.receiver.is_group());
   link.shooter_cluster = ClusterId(1u);
   GatheredLight gathered(receiver, {}, nullptr);
-  gathered.read(link, &two.states[1].patches());
+  gathered.read(link, {}, &two.states[1].patches());
   const std::array<float, 9> transport{0.3f, 0.0f, 0.0f, 1.0f, 0, 0, 0, 0, 0};
   gathered.receive(link, transport);
   const std::vector<double>& irradiance = gathered.irradiance();

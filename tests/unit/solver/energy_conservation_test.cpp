@@ -49,7 +49,7 @@ TEST(LightBalance, PointLightsBringInWhatArrivesOfTheirs) {
   scene.bands = 1;
   scene.lights.push_back({Vec3(0.0), {1.0}});
   const Spectrum emitted{50.0 + 12.566370614359172};
-  EXPECT_NEAR(surfaces_power(scene, emitted).front(), 50.0, 1e-12);
+  EXPECT_NEAR(surfaces_power(scene, emitted).bands.front(), 50.0, 1e-12);
   IterationSummary lit = still(60.0);
   lit.figures.direct_power = {10.0};
   EXPECT_NEAR(unbalanced_share(lit.figures, surfaces, 0), 0.0, 1e-12);

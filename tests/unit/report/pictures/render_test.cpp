@@ -172,7 +172,8 @@ TEST(Render, GatheredLightKeepsToItsPlane) {
   camera.vertical_angle_deg = 30.0;
   const LightImage image = render(rooms.solved(), camera, config);
   const Polygon lamp{{1.5, 2, 2.9}, {1.5, 3, 2.9}, {2.5, 3, 2.9}, {2.5, 2, 2.9}};
-  const CameraView view(rooms.solved(), camera, 1.0);
+  const SolvedScene solved = rooms.solved();
+  const CameraView view(solved, camera, 1.0);
   int walls = 0;
   for (int y = 1; y < 60; y += 4) {
     for (int x = 1; x < 60; ++x) {
