@@ -132,10 +132,11 @@ Spectrum EmitterSampler::Survey::mean(const ControlVariate& control, std::size_t
   return sum;
 }
 
-/// Of all bright emitters. `known`: irradiance (largest band) that comes from elsewhere.
-void EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known,
-                                    double least, Random& random, ControlVariate& control,
-                                    Spectrum& variance) const {
+/// Of all bright emitters; returns what they would give if nothing hid them. `known`: irradiance
+/// (largest band) that comes from elsewhere.
+double EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known,
+                                      double least, Random& random, ControlVariate& control,
+                                      Spectrum& variance) const {
   const std::vector<double> weight = unoccluded(bright_, p, n, own);
   const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
   double seen = std::max(known, least_seen * total);
@@ -157,6 +158,7 @@ void EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_t 
     for (const VisibleNode& node : next.nodes) seen += node.factor * b.largest_radiosity;
     control.polygons.push_back(next);
   }
+  return total;
 }
 
 /// Of the polygons seen, those that make rays noisy, until all others together would give
@@ -188,17 +190,17 @@ std::vector<std::uint32_t> EmitterSampler::noisy_polygons(const Survey& survey, 
 }
 
 /// Of the polygons that are not bright: by the survey, and by what they would give if nothing hid
-/// them, since the survey may miss one that is seen at a low angle.
+/// them, since the survey may miss one that is seen at a low angle. `bright`: of the bright
+/// emitters.
 void EmitterSampler::control_others(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                    const Survey& survey, double most_square, double least_share,
-                                    double least, ControlVariate& control) const {
+                                    const Survey& survey, double most_square, double bright,
+                                    double least_share, double least,
+                                    ControlVariate& control) const {
   const Spectrum means = survey.mean(control, control.ambient.size());
   const double mean = means.empty() ? 0.0 : *std::max_element(means.begin(), means.end());
   std::vector<std::uint32_t> polygons = noisy_polygons(survey, mean, most_square);
-  const std::vector<double> bright = unoccluded(bright_, p, n, own);
   const std::vector<double> weight = unoccluded(others_, p, n, own);
-  const double total = std::accumulate(weight.begin(), weight.end(),
-                                       std::accumulate(bright.begin(), bright.end(), 0.0));
+  const double total = std::accumulate(weight.begin(), weight.end(), bright);
   for (std::size_t i = 0; i < others_.size(); ++i) {
     if (weight[i] > least_share * total) polygons.push_back(others_[i].polygon);
   }
@@ -222,7 +224,7 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(
   double known = *std::max_element(irradiance.begin(), irradiance.end());
   for (const Survey::Seen& polygon : survey.seen)
     known += *std::max_element(polygon.radiosity.begin(), polygon.radiosity.end()) / survey.rays;
-  control_bright(p, n, own, known, least, random, control, variance);
+  const double bright = control_bright(p, n, own, known, least, random, control, variance);
   for (const ControlledPolygon& polygon : control.polygons) {
     const PatchForest& forest =
         clusters_[occluders_->local(polygon.polygon).cluster.index()].patches();
@@ -230,7 +232,7 @@ EmitterSampler::ControlVariate EmitterSampler::add_control_variate(
   }
   const double noise = rays_share * least * known;
   control.ambient.assign(irradiance.size(), 0.0);
-  control_others(p, n, own, survey, noise * noise * rays, least, least * known, control);
+  control_others(p, n, own, survey, noise * noise * rays, bright, least, least * known, control);
   std::sort(
       control.polygons.begin(), control.polygons.end(),
       [](const ControlledPolygon& a, const ControlledPolygon& b) { return a.polygon < b.polygon; });

@@ -85,10 +85,10 @@ class EmitterSampler {
  private:
   static std::vector<double> unoccluded(std::span<const Emitter> polygons, const Vec3& p,
                                         const Vec3& n, std::uint32_t own);
-  void control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known, double least,
-                      Random& random, ControlVariate& control, Spectrum& variance) const;
+  double control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known, double least,
+                        Random& random, ControlVariate& control, Spectrum& variance) const;
   void control_others(const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey,
-                      double most_square, double least_share, double least,
+                      double most_square, double bright, double least_share, double least,
                       ControlVariate& control) const;
   std::vector<std::uint32_t> noisy_polygons(const Survey& survey, double mean,
                                             double most_square) const;

@@ -6,19 +6,12 @@
 
 #include "geometry/form_factor.hpp"
 #include "unit/gather/box_room.hpp"
+#include "unit/links/sheet.hpp"
 
 namespace enfilade {
 namespace {
 
-/// A horizontal rectangle, facing up or down.
-Surface sheet(Vec2 lo, Vec2 hi, double z, bool up) {
-  Surface s;
-  s.vertices = {{lo.x, lo.y, z}, {hi.x, lo.y, z}, {hi.x, hi.y, z}, {lo.x, hi.y, z}};
-  if (!up) std::reverse(s.vertices.begin(), s.vertices.end());
-  s.reflectance = {0.5};
-  s.exitance = {1.0};
-  return s;
-}
+using testing::sheet;
 
 /// The link from a unit square at height 1 to the unit square below it, past some occluders.
 struct Pair {

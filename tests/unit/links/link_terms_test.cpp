@@ -6,20 +6,14 @@
 #include "geometry/form_factor.hpp"
 #include "links/link_estimate.hpp"
 #include "unit/gather/box_room.hpp"
+#include "unit/links/sheet.hpp"
 
 namespace enfilade {
 namespace {
 
 constexpr double exactly = 1e-12;  // tolerance of power
 
-Surface sheet(Vec2 lo, Vec2 hi, double z, bool up) {
-  Surface s;
-  s.vertices = {{lo.x, lo.y, z}, {hi.x, lo.y, z}, {hi.x, hi.y, z}, {lo.x, hi.y, z}};
-  if (!up) std::reverse(s.vertices.begin(), s.vertices.end());
-  s.reflectance = {0.5};
-  s.exitance = {1.0};
-  return s;
-}
+using testing::sheet;
 
 /// A receiver that faces up, a shooter that faces down, and what stands between.
 struct Sheets {
