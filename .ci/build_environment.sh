@@ -22,7 +22,7 @@ build_preset() {
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   log="build/$preset.log"
   mkdir -p build
-  if ! { cmake --preset "$preset" "${launcher[@]}" "$@" && cmake --build --preset "$preset" -j "$jobs"; } >"$log" 2>&1; then
+  if ! { cmake --preset "$preset" -DENFILADE_TOGETHER=ON "${launcher[@]}" "$@" && cmake --build --preset "$preset" -j "$jobs"; } >"$log" 2>&1; then
     tail -n 60 "$log" >&2
     echo "build: preset $preset failed; all of its output is in $log" >&2
     exit 1

@@ -3,9 +3,9 @@
 
 namespace enfilade {
 
-std::span<const BuildingField> building_fields() {
+std::span<const DescriptionField> building_fields() {
   using B = Building;
-  static constexpr BuildingField fields[] = {
+  static constexpr DescriptionField fields[] = {
       {"floors", "storeys", &B::floors, 1, 10000},
       {"stairs", "stairwells, spread along the corridor", &B::stairs, 0, 1000},
       {"fire_doors", "walls with a door across the corridor", &B::fire_doors, 0, 1000},

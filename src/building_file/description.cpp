@@ -23,7 +23,7 @@ class DescriptionReader {
 
   void read(const json& document) {
     read_head(document);
-    for (const BuildingField& field : building_fields()) {
+    for (const DescriptionField& field : building_fields()) {
       if (document.contains(field.key)) read_field(field, document[field.key]);
     }
     if (document.contains("wings")) read_wings(document["wings"]);
@@ -54,12 +54,12 @@ class DescriptionReader {
   void check_key(const std::string& key) const {
     std::string all;
     for (const char* other : other_keys) all += std::string(all.empty() ? "" : ", ") + other;
-    for (const BuildingField& field : building_fields()) all += std::string(", ") + field.key;
+    for (const DescriptionField& field : building_fields()) all += std::string(", ") + field.key;
     const auto fields = building_fields();
     const auto is_key = [&](const auto& known) { return key == known; };
     if (std::any_of(std::begin(other_keys), std::end(other_keys), is_key)) return;
     if (std::any_of(fields.begin(), fields.end(),
-                    [&](const BuildingField& field) { return key == field.key; })) {
+                    [&](const DescriptionField& field) { return key == field.key; })) {
       return;
     }
     fail(in_quotes(key), "is no key of a building", "there are " + all);
@@ -79,7 +79,7 @@ class DescriptionReader {
              shown(json(static_cast<long>(high))));
   }
 
-  void read_field(const BuildingField& field, const json& value) {
+  void read_field(const DescriptionField& field, const json& value) {
     if (const auto* member = std::get_if<int Building::*>(&field.member)) {
       building_.** member = whole(value, field.key, field.low, field.high);
     } else if (const auto* real = std::get_if<double Building::*>(&field.member)) {

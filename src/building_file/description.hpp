@@ -14,13 +14,13 @@ namespace enfilade {
 
 /// A number or a truth value that a description may give under `key`, and the command line as an
 /// option.
-struct BuildingField {
+struct DescriptionField {
   const char* key;
   const char* help;  ///< with the unit
   std::variant<int Building::*, double Building::*, bool Building::*> member;
   double low, high;  ///< both allowed
 };
-std::span<const BuildingField> building_fields();
+std::span<const DescriptionField> building_fields();
 
 /// A key and its value as the command line spells it: a number, true, a word; wings as
 /// "24,25:90,24" (bays, with a colon the degrees that they turn), furniture as "chair=300,bin=10"

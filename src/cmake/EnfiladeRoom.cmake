@@ -1,3 +1,5 @@
+include(EnfiladeTogether)
+
 # One static library a room. Rooms come in one order, and a room may use only those before it.
 add_library(enfilade_options INTERFACE)
 target_compile_features(enfilade_options INTERFACE cxx_std_20)
@@ -20,7 +22,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # with _ for /.
 function(enfilade_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE" ${ARGN})
-  add_library(enfilade_${name} STATIC ${ROOM_SOURCES})
+  enfilade_together(sources enfilade_${name} ${PROJECT_SOURCE_DIR}/src ${ROOM_SOURCES})
+  add_library(enfilade_${name} STATIC ${sources})
   add_library(enfilade::${name} ALIAS enfilade_${name})
   target_include_directories(enfilade_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include/enfilade>)

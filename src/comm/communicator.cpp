@@ -32,15 +32,15 @@ constexpr std::size_t most_sending = 64;
 /// The longest message that goes in one piece, and the size of a rank's one receive buffer.
 constexpr std::size_t inbox_bytes = 1 << 20;
 
-/// A send under way: its bytes must stay until MPI has taken them.
-struct Pending {
-  std::vector<std::byte> bytes;
-  MPI_Request request = MPI_REQUEST_NULL;
-};
-
 }  // namespace
 
 struct Communicator::Impl {
+  /// A send under way: its bytes must stay until MPI has taken them.
+  struct Pending {
+    std::vector<std::byte> bytes;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
   MPI_Comm comm = MPI_COMM_NULL;
   int rank = 0, size = 1;
   std::deque<Pending> sending;

@@ -22,7 +22,7 @@ constexpr double smallest_part = 5e-4;
 /// A polygon this many times its size away, squared, weighs as much as its middle does.
 constexpr double far_areas = 16.0;
 /// Share of the bright emitters' unoccluded light at a point below which one is left out.
-constexpr double negligible = 1e-6;
+constexpr double negligible_emitter = 1e-6;
 /// Of the bright emitters' unoccluded light: what is taken for the light at a point at least.
 constexpr double least_seen = 1e-3;
 /// Polygons that are not bright and controlled all the same.
@@ -143,7 +143,7 @@ double EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_
   VisibleNodes visible(*occluders_);
   ControlledPolygon next;
   for (std::size_t i = 0; i < bright_.size(); ++i) {
-    if (weight[i] <= negligible * total || weight[i] <= 0.0) continue;
+    if (weight[i] <= negligible_emitter * total || weight[i] <= 0.0) continue;
     const Emitter& b = bright_[i];
     const ClusterId cluster = occluders_->local(b.polygon).cluster;
     next.polygon = b.polygon;

@@ -24,7 +24,7 @@ constexpr int most_part_cuts = 24, rays_of_part = 8;
 /// More polygons than these are looked for anew before each part.
 constexpr std::size_t most_listed = 4096;
 /// Share of that error below which a part is taken as a whole, without extrapolation.
-constexpr double negligible = 1e-3;
+constexpr double negligible_node = 1e-3;
 
 struct Slope {
   Vec2 along{0.0};   ///< gradient of radiosity per metre, of the band where it varies most
@@ -248,7 +248,7 @@ void VisibleNodes::add_part(const Vec3& p, const Vec3& n, const PatchForest& for
   if (whole <= 0.0) return;
   const Slope slope = slope_over(forest, sum.node, shape);
   const Vec2 shift = shape.centroid - at.shape.centroid;
-  if (whole * slope.rms <= negligible * least) return sum.add(whole, shift);
+  if (whole * slope.rms <= negligible_node * least) return sum.add(whole, shift);
   const Vec2 axis = glm::normalize(slope.along);
   const auto [below, above] = shape.halves({axis, glm::dot(axis, shape.centroid)});
   if (whole * slope.rms > least && cuts > 0) {

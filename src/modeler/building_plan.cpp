@@ -123,14 +123,14 @@ Vec2 Bay::meet(BayEnd at, double ahead_m, double to_left_m) const {
   return p + beyond / glm::dot(ahead, line.ahead) * ahead;
 }
 
-RoomPlan plan_room(const Building& building, const Bay& bay, BaySide side) {
+ModelRoom plan_room(const Building& building, const Bay& bay, BaySide side) {
   const double sign = side == BaySide::left ? 1.0 : -1.0;
   const double near_m = sign * (0.5 * building.corridor_width_m + building.wall_m);
   const double far_m = near_m + sign * building.room_depth_m;
   const double inset = 0.5 * building.partition_m;
   const auto start = [&](double v) { return bay.meet(BayEnd::start, inset, v); };
   const auto end = [&](double v) { return bay.meet(BayEnd::end, -inset, v); };
-  RoomPlan room;
+  ModelRoom room;
   if (side == BaySide::left) {
     room.corners = {start(near_m), end(near_m), end(far_m), start(far_m)};
   } else {

@@ -34,7 +34,7 @@ struct Bay {
 
 /// A room's floor: corners counter-clockwise, the first two at the corridor; y of its own frame
 /// points away from the corridor, x to the right of who looks that way.
-struct RoomPlan {
+struct ModelRoom {
   std::array<Vec2, 4> corners;
   Vec2 x{1.0, 0.0}, y{0.0, 1.0};
   double width_m = 0.0;  ///< of the largest rectangle that stands on the corridor's wall
@@ -54,6 +54,6 @@ struct BuildingPlan {
 
 /// Throws InputError where a wing bends too sharply for its rooms or the building runs into itself.
 BuildingPlan plan_building(const Building& building);
-RoomPlan plan_room(const Building& building, const Bay& bay, BaySide side);
+ModelRoom plan_room(const Building& building, const Bay& bay, BaySide side);
 
 }  // namespace enfilade

@@ -4,27 +4,28 @@
 namespace enfilade {
 namespace {
 
-constexpr Finish walls{Material::wall, 0}, floor_finish{Material::corridor_floor, 0};
+constexpr Finish corridor_walls{Material::wall, 0}, floor_finish{Material::corridor_floor, 0};
 
 // The door to the room on that side, seen from the corridor.
-Hole door_hole(const Building& building, const Storey& storey, const Bay& bay, BaySide side) {
+Hole door_hole(const Building& building, const ModelStorey& storey, const Bay& bay, BaySide side) {
   return door_of(building, plan_room(building, bay, side), storey).far_hole();
 }
 
 // The walls at the ends of the bay, where it has some; the passage belongs to the bay behind it.
 void add_cross_walls(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                     const Storey& storey, const Bay& bay, const std::array<Vec2, 4>& corners) {
+                     const ModelStorey& storey, const Bay& bay,
+                     const std::array<Vec2, 4>& corners) {
   const double low = storey.z_m, high = low + building.room_height_m;
   const auto border = static_cast<std::size_t>(bay.index);
   const std::string name = corridor_name(storey, bay);
   if (plan.has_cross_wall[border]) {
     WallFace wall{corners[0], corners[3], low, high};
     if (border > 0) wall.hole = fire_door_of(building, bay.start, storey).far_hole();
-    const Passage entrance = entrance_of(building, bay.start, storey);
+    const ModelPassage entrance = entrance_of(building, bay.start, storey);
     const bool enters = border == 0 && has_entrance(building, storey);
     if (enters) wall.hole = entrance.near_hole();
     sink.begin_object(name + "/back wall");
-    add_wall(sink, wall, walls, "back wall");
+    add_wall(sink, wall, corridor_walls, "back wall");
     if (enters) {
       sink.begin_object(name + "/entrance");
       add_passage(sink, entrance, {Material::metal}, floor_finish);
@@ -32,11 +33,11 @@ void add_cross_walls(SurfaceSink& sink, const Building& building, const Building
   }
   if (!plan.has_cross_wall[border + 1]) return;
   WallFace wall{corners[2], corners[1], low, high};
-  const Passage door = fire_door_of(building, bay.end, storey);
+  const ModelPassage door = fire_door_of(building, bay.end, storey);
   const bool inner = border + 1 < plan.bays.size();
   if (inner) wall.hole = door.near_hole();
   sink.begin_object(name + "/front wall");
-  add_wall(sink, wall, walls, "front wall");
+  add_wall(sink, wall, corridor_walls, "front wall");
   if (!inner) return;
   sink.begin_object(name + "/fire door");
   add_passage(sink, door, {Material::metal}, floor_finish);
@@ -45,7 +46,7 @@ void add_cross_walls(SurfaceSink& sink, const Building& building, const Building
 }  // namespace
 
 void add_corridor(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                  const Storey& storey, const Bay& bay) {
+                  const ModelStorey& storey, const Bay& bay) {
   const double low = storey.z_m, high = low + building.room_height_m;
   const double half = 0.5 * building.corridor_width_m, inset = 0.5 * building.partition_m;
   const auto border = static_cast<std::size_t>(bay.index);
@@ -62,11 +63,11 @@ void add_corridor(SurfaceSink& sink, const Building& building, const BuildingPla
   sink.begin_object(name + "/right wall");
   add_wall(sink,
            {corners[1], corners[0], low, high, door_hole(building, storey, bay, BaySide::right)},
-           walls, "right wall");
+           corridor_walls, "right wall");
   sink.begin_object(name + "/left wall");
   add_wall(sink,
            {corners[3], corners[2], low, high, door_hole(building, storey, bay, BaySide::left)},
-           walls, "left wall");
+           corridor_walls, "left wall");
   add_cross_walls(sink, building, plan, storey, bay, corners);
 }
 

@@ -47,7 +47,7 @@ int deal(const Building& building, const BuildingPlan& plan, std::vector<Space>&
 }  // namespace
 
 std::vector<Space> deal_furniture(const Building& building, const BuildingPlan& plan,
-                                  const Storey& storey) {
+                                  const ModelStorey& storey) {
   std::vector<Space> spaces = spaces_of(plan);
   Random random(static_cast<std::uint64_t>(building.seed) * 1000003u +
                 static_cast<std::uint64_t>(storey.number));

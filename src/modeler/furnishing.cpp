@@ -12,31 +12,31 @@ constexpr double two_desks_m = 2.95;  // the width of a room that takes two, or 
 constexpr double from_wall_m = 0.05;
 constexpr int storage_places = 4;  // three along the right wall, one along the left
 
-RoomPlan room_of(const Building& building, const BuildingPlan& plan, const Space& space) {
+ModelRoom room_of(const Building& building, const BuildingPlan& plan, const Space& space) {
   return plan_room(building, plan.bays[static_cast<std::size_t>(space.bay)], space.side);
 }
 
-Frame frame_of(const RoomPlan& room, double z) { return {room.origin, room.x, room.y, z}; }
+Frame frame_of(const ModelRoom& room, double z) { return {room.origin, room.x, room.y, z}; }
 
 // Along a side wall, y into the room; `along_m` from the corridor to the piece's nearer end.
-Frame at_right_wall(const RoomPlan& room, double along_m, double z) {
+Frame at_right_wall(const ModelRoom& room, double along_m, double z) {
   const Vec2 x = glm::normalize(room.corners[2] - room.corners[1]);
   return Frame{room.corners[1], x, {-x.y, x.x}, z}.moved(along_m, 0.0, 0.0);
 }
-Frame at_left_wall(const RoomPlan& room, double along_m, double length_m, double z) {
+Frame at_left_wall(const ModelRoom& room, double along_m, double length_m, double z) {
   const Vec2 x = glm::normalize(room.corners[0] - room.corners[3]);
   return Frame{room.corners[0], x, {-x.y, x.x}, z}.moved(-along_m - length_m, 0.0, 0.0);
 }
 
-int desks_in(const RoomPlan& room) { return room.width_m >= two_desks_m ? 2 : 1; }
+int desks_in(const ModelRoom& room) { return room.width_m >= two_desks_m ? 2 : 1; }
 
-Frame desk_at(const RoomPlan& room, int i, double z) {
+Frame desk_at(const ModelRoom& room, int i, double z) {
   const double x = i == 0 ? 0.12 : room.width_m - 0.12 - footprint_m(FurnitureKind::desk).x;
   return frame_of(room, z).moved(x, room.depth_m - 0.85, 0.0);
 }
 
 // At the desks, then one for a visitor at the left wall.
-Frame chair_at(const RoomPlan& room, int i, double z) {
+Frame chair_at(const ModelRoom& room, int i, double z) {
   const Vec2 size = footprint_m(FurnitureKind::chair);
   if (i < desks_in(room)) {
     const double middle = 0.5 * (footprint_m(FurnitureKind::desk).x - size.x);
@@ -48,20 +48,20 @@ Frame chair_at(const RoomPlan& room, int i, double z) {
   return frame;
 }
 
-Frame storage_at(const RoomPlan& room, int place, double z) {
+Frame storage_at(const ModelRoom& room, int place, double z) {
   const double length = footprint_m(FurnitureKind::shelf).x;
   const Frame wall = place < storage_places - 1 ? at_right_wall(room, 0.2 + 0.86 * place, z)
                                                 : at_left_wall(room, 1.5, length, z);
   return wall.moved(0.0, from_wall_m, 0.0);
 }
 
-Frame picture_at(const RoomPlan& room, int i, double z) {
+Frame picture_at(const ModelRoom& room, int i, double z) {
   if (i % 2 == 0) return at_right_wall(room, 0.5 + 0.55 * i, z);
   return at_left_wall(room, 1.6 + 0.5 * (i - 1), footprint_m(FurnitureKind::picture).x, z);
 }
 
 // In a row through the room's middle, or in two.
-Frame lamp_at(const RoomPlan& room, int i, int count, double ceiling) {
+Frame lamp_at(const ModelRoom& room, int i, int count, double ceiling) {
   const Vec2 size = footprint_m(FurnitureKind::lamp);
   const Frame frame = frame_of(room, ceiling);
   const int rows = count <= 3 ? count : (count + 1) / 2;
@@ -115,7 +115,7 @@ int places_for(const Building& building, const BuildingPlan& plan, const Space& 
   return 0;
 }
 
-Frame place_of(const Building& building, const BuildingPlan& plan, const Storey& storey,
+Frame place_of(const Building& building, const BuildingPlan& plan, const ModelStorey& storey,
                const Space& space, FurnitureKind kind, int i) {
   const double floor = storey.z_m, ceiling = floor + building.room_height_m;
   const int lamps = space.has[index_of(FurnitureKind::lamp)];
@@ -123,7 +123,7 @@ Frame place_of(const Building& building, const BuildingPlan& plan, const Storey&
     const Bay& bay = plan.bays[static_cast<std::size_t>(space.bay)];
     return corridor_lamp_at(building, bay, i, lamps, ceiling);
   }
-  RoomPlan room = room_of(building, plan, space);
+  ModelRoom room = room_of(building, plan, space);
   if (space.kind == Space::Kind::stairs) room.depth_m = landing_depth_m;
   switch (kind) {
     case FurnitureKind::lamp:
@@ -152,14 +152,14 @@ Frame place_of(const Building& building, const BuildingPlan& plan, const Storey&
   return {};
 }
 
-std::string space_name(const BuildingPlan& plan, const Storey& storey, const Space& space) {
+std::string space_name(const BuildingPlan& plan, const ModelStorey& storey, const Space& space) {
   const Bay& bay = plan.bays[static_cast<std::size_t>(space.bay)];
   return space.kind == Space::Kind::corridor ? corridor_name(storey, bay)
                                              : room_name(storey, bay, space.side);
 }
 
 void furnish(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-             const Storey& storey, const Space& space) {
+             const ModelStorey& storey, const Space& space) {
   const std::string name = space_name(plan, storey, space);
   for (std::size_t k = 0; k < furniture_kinds; ++k) {
     const auto kind = static_cast<FurnitureKind>(k);

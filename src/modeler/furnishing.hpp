@@ -21,16 +21,16 @@ struct Space {
 /// that the seed and the storey choose. Throws InputError where there is more of a kind than there
 /// are places.
 std::vector<Space> deal_furniture(const Building& building, const BuildingPlan& plan,
-                                  const Storey& storey);
+                                  const ModelStorey& storey);
 /// How many of a kind find place in a space that holds what it `has` so far.
 int places_for(const Building& building, const BuildingPlan& plan, const Space& space,
                FurnitureKind kind);
 /// Where the i-th of a kind stands, for add_furniture.
-Frame place_of(const Building& building, const BuildingPlan& plan, const Storey& storey,
+Frame place_of(const Building& building, const BuildingPlan& plan, const ModelStorey& storey,
                const Space& space, FurnitureKind kind, int i);
 /// All that a space has, each piece an object.
 void furnish(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-             const Storey& storey, const Space& space);
-std::string space_name(const BuildingPlan& plan, const Storey& storey, const Space& space);
+             const ModelStorey& storey, const Space& space);
+std::string space_name(const BuildingPlan& plan, const ModelStorey& storey, const Space& space);
 
 }  // namespace enfilade

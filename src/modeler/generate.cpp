@@ -11,7 +11,7 @@ namespace {
 constexpr double probe_height_m = 0.85;
 
 void add_shells(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                const Storey& storey) {
+                const ModelStorey& storey) {
   for (const Bay& bay : plan.bays) {
     add_corridor(sink, building, plan, storey, bay);
     if (bay.stairs) {
@@ -26,11 +26,11 @@ void add_shells(SurfaceSink& sink, const Building& building, const BuildingPlan&
 
 // A probe in the middle of every room, facing up.
 void add_probes(const SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                const Storey& storey, std::vector<Probe>& probes) {
+                const ModelStorey& storey, std::vector<Probe>& probes) {
   for (const Bay& bay : plan.bays) {
     for (const BaySide side : {BaySide::left, BaySide::right}) {
       if (side == BaySide::left && bay.stairs) continue;
-      const RoomPlan room = plan_room(building, bay, side);
+      const ModelRoom room = plan_room(building, bay, side);
       const Vec2 p = room.world(0.5 * room.width_m, 0.5 * room.depth_m);
       probes.push_back({sink.placed(raised(p, storey.z_m + probe_height_m)), {0.0, 0.0, 1.0}});
     }
@@ -57,7 +57,7 @@ GeneratedCounts generate_building(const Building& described, const SurfaceSink::
     receive(surface);
   });
   for (int number = 0; number < building.floors; ++number) {
-    const Storey storey = storey_of(building, number);
+    const ModelStorey storey = storey_of(building, number);
     add_shells(sink, building, plan, storey);
     for (const Space& space : deal_furniture(building, plan, storey)) {
       furnish(sink, building, plan, storey, space);

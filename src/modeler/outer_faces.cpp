@@ -4,7 +4,7 @@
 namespace enfilade {
 namespace {
 
-constexpr Finish facade{Material::facade, 0}, concrete{Material::concrete, 0};
+constexpr Finish outer_facade{Material::facade, 0}, outer_concrete{Material::concrete, 0};
 
 // How far ahead of a border the building reaches: half a partition short of nothing inside, the
 // outer wall at either end.
@@ -15,23 +15,23 @@ double reach(const Building& building, const BuildingPlan& plan, const Bay& bay,
 }
 
 void add_side(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-              const Storey& storey, const Bay& bay, BaySide side, WallFace wall) {
+              const ModelStorey& storey, const Bay& bay, BaySide side, WallFace wall) {
   const double sign = side == BaySide::left ? 1.0 : -1.0;
   const BayEnd left = side == BaySide::left ? BayEnd::end : BayEnd::start;
   const BayEnd right = side == BaySide::left ? BayEnd::start : BayEnd::end;
   wall.left = bay.meet(left, reach(building, plan, bay, left), sign * plan.half_depth_m);
   wall.right = bay.meet(right, reach(building, plan, bay, right), sign * plan.half_depth_m);
   const bool is_well = side == BaySide::left && bay.stairs;
-  const Passage window = window_of(building, plan_room(building, bay, side), storey);
+  const ModelPassage window = window_of(building, plan_room(building, bay, side), storey);
   if (building.windows != Windows::none && !is_well) wall.hole = window.far_hole();
   sink.begin_object(room_name(storey, bay, side) + "/facade");
-  add_wall(sink, wall, facade, "facade");
+  add_wall(sink, wall, outer_facade, "facade");
   if (building.windows != Windows::closed || is_well) return;
   add_wall(sink, {window.c, window.e, window.low_m, window.high_m}, {Material::glass}, "pane");
 }
 
 void add_end(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-             const Storey& storey, const Bay& bay, BayEnd end, WallFace wall) {
+             const ModelStorey& storey, const Bay& bay, BayEnd end, WallFace wall) {
   const double sign = end == BayEnd::start ? 1.0 : -1.0;
   const double ahead = reach(building, plan, bay, end);
   wall.left = bay.meet(end, ahead, sign * plan.half_depth_m);
@@ -40,13 +40,13 @@ void add_end(SurfaceSink& sink, const Building& building, const BuildingPlan& pl
     wall.hole = entrance_of(building, bay.start, storey).far_hole();
   }
   sink.begin_object(corridor_name(storey, bay) + "/facade");
-  add_wall(sink, wall, facade, "facade");
+  add_wall(sink, wall, outer_facade, "facade");
 }
 
 }  // namespace
 
 void add_outer_faces(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                     const Storey& storey, const Bay& bay) {
+                     const ModelStorey& storey, const Bay& bay) {
   WallFace wall;
   wall.low_m = storey.number == 0 ? -building.slab_m : storey.z_m;
   wall.high_m = storey.z_m + building.storey_height_m();
@@ -62,8 +62,8 @@ void add_outer_faces(SurfaceSink& sink, const Building& building, const Building
       bay.meet(BayEnd::start, start, -half), bay.meet(BayEnd::end, end, -half),
       bay.meet(BayEnd::end, end, half), bay.meet(BayEnd::start, start, half)};
   sink.begin_object(corridor_name(storey, bay) + "/envelope");
-  if (storey.number == 0) add_ceiling(sink, corners, wall.low_m, concrete, "underside");
-  if (storey.top) add_floor(sink, corners, wall.high_m, concrete, "roof");
+  if (storey.number == 0) add_ceiling(sink, corners, wall.low_m, outer_concrete, "underside");
+  if (storey.top) add_floor(sink, corners, wall.high_m, outer_concrete, "roof");
 }
 
 }  // namespace enfilade

@@ -4,7 +4,7 @@
 namespace enfilade {
 namespace {
 
-void add_window(SurfaceSink& sink, const Building& building, const Passage& window,
+void add_window(SurfaceSink& sink, const Building& building, const ModelPassage& window,
                 const std::string& name) {
   sink.begin_object(name + "/window");
   add_passage(sink, window, {Material::ceiling}, {Material::ceiling});
@@ -14,16 +14,16 @@ void add_window(SurfaceSink& sink, const Building& building, const Passage& wind
 
 }  // namespace
 
-void add_room(SurfaceSink& sink, const Building& building, const Storey& storey, const Bay& bay,
-              BaySide side) {
-  const RoomPlan room = plan_room(building, bay, side);
+void add_room(SurfaceSink& sink, const Building& building, const ModelStorey& storey,
+              const Bay& bay, BaySide side) {
+  const ModelRoom room = plan_room(building, bay, side);
   const std::string name = room_name(storey, bay, side);
   const auto& corners = room.corners;
   const double low = storey.z_m, high = low + building.room_height_m;
   const unsigned paint =
       static_cast<unsigned>(3 * bay.index + (side == BaySide::left ? 0 : 1) + 2 * storey.number);
   const Finish walls{Material::wall, paint}, floor{Material::floor, paint};
-  const Passage door = door_of(building, room, storey);
+  const ModelPassage door = door_of(building, room, storey);
 
   sink.begin_object(name + "/floor");
   add_floor(sink, corners, low, floor, "floor");
@@ -37,7 +37,7 @@ void add_room(SurfaceSink& sink, const Building& building, const Storey& storey,
   add_wall(sink, {corners[0], corners[3], low, high}, walls, "left wall");
 
   WallFace outer{corners[3], corners[2], low, high};
-  const Passage window = window_of(building, room, storey);
+  const ModelPassage window = window_of(building, room, storey);
   if (building.windows != Windows::none) outer.hole = window.near_hole();
   sink.begin_object(name + "/window wall");
   add_wall(sink, outer, walls, "window wall");

@@ -42,7 +42,8 @@ void add_ceiling(SurfaceSink& sink, std::span<const Vec2> corners, double z, con
   sink.add(std::move(polygon), finish, name);
 }
 
-void add_passage(SurfaceSink& sink, const Passage& p, const Finish& sides, const Finish& bottom) {
+void add_passage(SurfaceSink& sink, const ModelPassage& p, const Finish& sides,
+                 const Finish& bottom) {
   const Vec2 corners[] = {p.a, p.b, p.c, p.e};
   add_floor(sink, corners, p.low_m, bottom, "threshold");
   add_ceiling(sink, corners, p.high_m, sides, "lintel");

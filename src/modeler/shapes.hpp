@@ -36,7 +36,7 @@ void add_ceiling(SurfaceSink& sink, std::span<const Vec2> corners, double z, con
 
 /// The way through a wall: a and b are left and right on the near face, c lies behind b, e behind
 /// a.
-struct Passage {
+struct ModelPassage {
   Vec2 a, b, c, e;
   double low_m = 0.0, high_m = 0.0;
 
@@ -44,7 +44,7 @@ struct Passage {
   Hole far_hole() const { return {c, e, low_m, high_m}; }
 };
 /// Its four sides: jambs, lintel and threshold of a door; the reveal of a window.
-void add_passage(SurfaceSink& sink, const Passage& passage, const Finish& sides,
+void add_passage(SurfaceSink& sink, const ModelPassage& passage, const Finish& sides,
                  const Finish& bottom);
 
 /// A right-handed frame that stands upright somewhere in the plan.

@@ -8,39 +8,41 @@
 
 namespace enfilade {
 
-struct Storey {
+struct ModelStorey {
   int number = 0;    ///< 0 is the ground floor
   double z_m = 0.0;  ///< of its floor
   bool top = false;
 };
-Storey storey_of(const Building& building, int number);
+ModelStorey storey_of(const Building& building, int number);
 
 /// "floor 1/room 12L", "floor 1/corridor 12": how objects' names begin.
-std::string room_name(const Storey& storey, const Bay& bay, BaySide side);
-std::string corridor_name(const Storey& storey, const Bay& bay);
+std::string room_name(const ModelStorey& storey, const Bay& bay, BaySide side);
+std::string corridor_name(const ModelStorey& storey, const Bay& bay);
 
 /// From the room's side through the wall along the corridor.
-Passage door_of(const Building& building, const RoomPlan& room, const Storey& storey);
+ModelPassage door_of(const Building& building, const ModelRoom& room, const ModelStorey& storey);
 /// From the room's side through the outer wall.
-Passage window_of(const Building& building, const RoomPlan& room, const Storey& storey);
+ModelPassage window_of(const Building& building, const ModelRoom& room, const ModelStorey& storey);
 /// From the end of a bay through the wall across the corridor.
-Passage fire_door_of(const Building& building, const CrossLine& line, const Storey& storey);
+ModelPassage fire_door_of(const Building& building, const CrossLine& line,
+                          const ModelStorey& storey);
 /// From the first bay's start to the outside.
-Passage entrance_of(const Building& building, const CrossLine& line, const Storey& storey);
-bool has_entrance(const Building& building, const Storey& storey);
+ModelPassage entrance_of(const Building& building, const CrossLine& line,
+                         const ModelStorey& storey);
+bool has_entrance(const Building& building, const ModelStorey& storey);
 
-void add_room(SurfaceSink& sink, const Building& building, const Storey& storey, const Bay& bay,
-              BaySide side);
+void add_room(SurfaceSink& sink, const Building& building, const ModelStorey& storey,
+              const Bay& bay, BaySide side);
 void add_corridor(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                  const Storey& storey, const Bay& bay);
+                  const ModelStorey& storey, const Bay& bay);
 /// The walls of a stairwell and of its opening in the slab above; stairs up, where there is more.
-void add_stairwell(SurfaceSink& sink, const Building& building, const Storey& storey,
+void add_stairwell(SurfaceSink& sink, const Building& building, const ModelStorey& storey,
                    const Bay& bay);
-void add_stairs(SurfaceSink& sink, const Building& building, const Storey& storey,
-                const RoomPlan& well, const std::string& name);
+void add_stairs(SurfaceSink& sink, const Building& building, const ModelStorey& storey,
+                const ModelRoom& well, const std::string& name);
 /// Outer walls of one storey, with the underside of the lowest and the roof of the topmost.
 void add_outer_faces(SurfaceSink& sink, const Building& building, const BuildingPlan& plan,
-                     const Storey& storey, const Bay& bay);
+                     const ModelStorey& storey, const Bay& bay);
 
 /// How deep the landing at a stairwell's door is; the rest of it is open to the next storey.
 constexpr double landing_depth_m = 1.3;

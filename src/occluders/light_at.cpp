@@ -18,7 +18,7 @@ constexpr double least_shadow = 2e-3;
 /// A part is halved while its radius is more than this share of the distance: its points and its
 /// middle may agree by chance.
 constexpr double near_share = 0.25;
-constexpr int most_halvings = 14;
+constexpr int most_part_halvings = 14;
 /// An opening is looked at in two parts, or four, where its radius is this share of the distance:
 /// so that an edge of a shadow is noticed.
 constexpr double wide = 0.1, very_wide = 0.3;
@@ -26,7 +26,7 @@ constexpr double wide = 0.1, very_wide = 0.3;
 constexpr double mixed_error = 0.25;
 /// What passes from two points differs by more than this where they are seen through other panes.
 constexpr double other_pane = 0.05;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Of what passes from several points.
 struct Range {
@@ -105,7 +105,7 @@ class Opening {
   }
 
   void add(const LightPart& part, const LightKernel& kernel, int halvings) {
-    const bool may_halve = !part.is_point() && halvings < most_halvings;
+    const bool may_halve = !part.is_point() && halvings < most_part_halvings;
     const bool rough = kernel.spread > least_error * scale_ ||
                        (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
     const bool matters = kernel.at > least_shadow * scale_;

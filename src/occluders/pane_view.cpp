@@ -11,10 +11,10 @@ namespace {
 
 /// What passes may vary by this share within a part: the rule of three points is exact for what
 /// varies as a square, so that its mean is right to a small part of that.
-constexpr double most_variation = 0.05;
-constexpr int most_halvings = 7;
+constexpr double most_passage_variation = 0.05;
+constexpr int most_pane_halvings = 7;
 /// A part with a smaller form factor is not halved.
-constexpr double least_factor = 1e-7;
+constexpr double least_pane_factor = 1e-7;
 
 /// The half spaces that a pane's shadow fills, as x casts it; none where x lies in its plane.
 std::vector<Plane> shadow_of(const Vec3& x, const Polygon& pane, double tolerance_m) {
@@ -78,7 +78,8 @@ class Dimming {
       least = std::min(least, share);
       most = std::max(most, share);
     }
-    if (most - least > most_variation * most && halvings < most_halvings && factor > least_factor) {
+    if (most - least > most_passage_variation * most && halvings < most_pane_halvings &&
+        factor > least_pane_factor) {
       const auto [first, second] = halves(polygon);
       if (first.size() >= 3 && second.size() >= 3) {
         add(first, panes, halvings + 1);

@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t most_occluders = 16;
 /// More polygons than these are looked for anew before each half.
 constexpr std::size_t most_listed = 4096;
-constexpr int most_halvings = 16;
+constexpr int most_facet_halvings = 16;
 /// A facet's part with a smaller form factor is not halved any further.
-constexpr double least_factor = 1e-6;
+constexpr double least_facet_factor = 1e-6;
 /// The luminance may vary by this share within a part: three points are exact for what varies as a
 /// square.
-constexpr double most_variation = 0.1;
+constexpr double most_luminance_variation = 0.1;
 constexpr double none_seen = 1e-13;
 
 /// Cut across its longest edge.
@@ -54,7 +54,7 @@ class SkyView {
       occluders_.find_among(*among, {place_.x}, facet, place_.own, none, between);
     }
     if (known && between.size() <= most_occluders && add_visible(facet, between)) return;
-    if (factor > least_factor && halvings < most_halvings) {
+    if (factor > least_facet_factor && halvings < most_facet_halvings) {
       const auto [first, second] = halves(facet);
       if (first.size() >= 3 && second.size() >= 3) {
         add(first, known ? &between : nullptr, halvings + 1);
@@ -138,7 +138,8 @@ class SkyView {
       least = std::min(least, luminance);
       most = std::max(most, luminance);
     }
-    if (most - least > most_variation * most && cuts < most_halvings && factor > least_factor) {
+    if (most - least > most_luminance_variation * most && cuts < most_facet_halvings &&
+        factor > least_facet_factor) {
       const auto [first, second] = halves(part);
       if (first.size() >= 3 && second.size() >= 3)
         return light_of(first, cuts + 1) + light_of(second, cuts + 1);

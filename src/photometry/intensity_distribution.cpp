@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double radians = pi / 180.0;
 
 /// The integral of (a + b t) sin t from t0 to t1.

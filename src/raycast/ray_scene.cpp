@@ -49,20 +49,66 @@ void note_crossing(const RTCFilterFunctionNArguments* args) {
   }
 }
 
-/// Triangle fans of some of the polygons.
-struct Mesh {
-  RTCScene scene = nullptr;
-  std::vector<std::uint32_t> polygon_of_triangle;
-  void release() const {
-    if (scene != nullptr) rtcReleaseScene(scene);
+}  // namespace
+
+struct RayScene::Impl {
+  /// Triangle fans of some of the polygons.
+  struct Mesh {
+    RTCScene scene = nullptr;
+    std::vector<std::uint32_t> polygon_of_triangle;
+    void release() const {
+      if (scene != nullptr) rtcReleaseScene(scene);
+    }
+    void build(RTCDevice device, std::span<const Polygon> polygons,
+               const std::vector<std::uint32_t>& members, const Vec3& center,
+               RTCFilterFunctionN met);
+  };
+
+  RTCDevice device = nullptr;
+  Mesh walls, panes;
+  Vec3 center{0.0};
+  float epsilon = 0.0f;
+  std::vector<Vec3> normals;
+
+  ~Impl() {
+    walls.release();
+    panes.release();
+    if (device != nullptr) rtcReleaseDevice(device);
   }
-  void build(RTCDevice device, std::span<const Polygon> polygons,
-             const std::vector<std::uint32_t>& members, const Vec3& center, RTCFilterFunctionN met);
+
+  SkipContext context(std::uint32_t skip_a, std::uint32_t skip_b) const {
+    SkipContext c;
+    rtcInitIntersectContext(&c.embree);
+    c.polygon_of_triangle = walls.polygon_of_triangle.data();
+    c.skip_a = skip_a;
+    c.skip_b = skip_b;
+    return c;
+  }
+
+  RTCRay ray(const Vec3& from, const Vec3& unit_direction, double near_m, double far_m) const {
+    const Vec3 o = from - center;
+    RTCRay r{};
+    r.org_x = static_cast<float>(o.x);
+    r.org_y = static_cast<float>(o.y);
+    r.org_z = static_cast<float>(o.z);
+    r.dir_x = static_cast<float>(unit_direction.x);
+    r.dir_y = static_cast<float>(unit_direction.y);
+    r.dir_z = static_cast<float>(unit_direction.z);
+    r.tnear = static_cast<float>(near_m);
+    r.tfar = static_cast<float>(far_m);
+    r.mask = 0xFFFFFFFFu;
+    return r;
+  }
+
+  double near_m(RayStart start) const { return start == RayStart::in_air ? 0.0 : epsilon; }
+  void build(std::span<const Polygon> polygons, std::span<const char> is_pane);
+  RayHit closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip, double near_m,
+                 double far_m) const;
 };
 
-void Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
-                 const std::vector<std::uint32_t>& members, const Vec3& center,
-                 RTCFilterFunctionN met) {
+void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
+                                 const std::vector<std::uint32_t>& members, const Vec3& center,
+                                 RTCFilterFunctionN met) {
   std::size_t vertices = 0, triangles = 0;
   for (const std::uint32_t k : members) {
     vertices += polygons[k].size();
@@ -105,51 +151,6 @@ void Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
   rtcCommitScene(scene);
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw RunError("the ray tracer cannot be built");
 }
-
-}  // namespace
-
-struct RayScene::Impl {
-  RTCDevice device = nullptr;
-  Mesh walls, panes;
-  Vec3 center{0.0};
-  float epsilon = 0.0f;
-  std::vector<Vec3> normals;
-
-  ~Impl() {
-    walls.release();
-    panes.release();
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  SkipContext context(std::uint32_t skip_a, std::uint32_t skip_b) const {
-    SkipContext c;
-    rtcInitIntersectContext(&c.embree);
-    c.polygon_of_triangle = walls.polygon_of_triangle.data();
-    c.skip_a = skip_a;
-    c.skip_b = skip_b;
-    return c;
-  }
-
-  RTCRay ray(const Vec3& from, const Vec3& unit_direction, double near_m, double far_m) const {
-    const Vec3 o = from - center;
-    RTCRay r{};
-    r.org_x = static_cast<float>(o.x);
-    r.org_y = static_cast<float>(o.y);
-    r.org_z = static_cast<float>(o.z);
-    r.dir_x = static_cast<float>(unit_direction.x);
-    r.dir_y = static_cast<float>(unit_direction.y);
-    r.dir_z = static_cast<float>(unit_direction.z);
-    r.tnear = static_cast<float>(near_m);
-    r.tfar = static_cast<float>(far_m);
-    r.mask = 0xFFFFFFFFu;
-    return r;
-  }
-
-  double near_m(RayStart start) const { return start == RayStart::in_air ? 0.0 : epsilon; }
-  void build(std::span<const Polygon> polygons, std::span<const char> is_pane);
-  RayHit closest(const Vec3& from, const Vec3& unit_direction, std::uint32_t skip, double near_m,
-                 double far_m) const;
-};
 
 void RayScene::Impl::build(std::span<const Polygon> polygons, std::span<const char> is_pane) {
   Box box;

@@ -17,8 +17,9 @@
 namespace enfilade {
 namespace {
 
-constexpr const char* remedy = "find the shares again with 'enfilade solve RUN --resume --shares'";
-constexpr SealedFormat index_format{"enfilade-shares", 1, remedy};
+constexpr const char* shares_remedy =
+    "find the shares again with 'enfilade solve RUN --resume --shares'";
+constexpr SealedFormat index_format{"enfilade-shares", 1, shares_remedy};
 
 std::string directory_of(const std::string& run_directory) { return run_directory + "/shares"; }
 
@@ -77,7 +78,7 @@ void read_leaves(const std::string& run_directory, const Manifest& manifest,
       for (std::size_t i = 0; i < width; ++i) to[i] = values[at++];
     }
     if (at != values.size() || (patches.size() + patches.polygons()) / 2 * width != at)
-      throw RunError(path + ": is of other patches; " + remedy);
+      throw RunError(path + ": is of other patches; " + shares_remedy);
   }
 }
 
@@ -185,7 +186,7 @@ LightShares read_light_shares(const std::string& run_directory, const Prepared& 
   std::vector<std::string> names;
   for (const ShareGroup& group : shares.groups) names.push_back(group.name);
   if (names != index->names)
-    throw RunError(index_path(run_directory) + ": is of other lights; " + remedy);
+    throw RunError(index_path(run_directory) + ": is of other lights; " + shares_remedy);
   shares.scene = share_scene(prepared.scene, shares.groups);
   for (const ClusterState& whole : solution) {
     ClusterState& wide = shares.clusters.emplace_back(

@@ -37,7 +37,7 @@ std::string this_process() {
   return "process " + std::to_string(::getpid()) + " on " + host.data();
 }
 
-[[noreturn]] void refuse(const std::string& run_directory, const std::string& what) {
+[[noreturn]] void refuse_run(const std::string& run_directory, const std::string& what) {
   throw InputError(run_directory, "lock", what,
                    "wait until it ends, or name another directory with -o");
 }
@@ -90,12 +90,12 @@ void RunLock::write(const std::string& run_directory) {
   if (!take(F_WRLCK, use, writes ? 0 : patience_s)) {
     std::array<char, 300> holder{};
     const ssize_t n = ::pread(fd_, holder.data(), holder.size() - 1, 0);
-    refuse(run_directory, writes && n > 0
-                              ? std::string("is being written by ") + holder.data()
-                              : std::string("is being read or written by another command"));
+    refuse_run(run_directory, writes && n > 0
+                                  ? std::string("is being written by ") + holder.data()
+                                  : std::string("is being read or written by another command"));
   }
   if (!take(F_WRLCK, ranks, patience_s))
-    refuse(run_directory, "ranks of a run that has died are still at work there");
+    refuse_run(run_directory, "ranks of a run that has died are still at work there");
   let_go(ranks);
   for (const char* folder : {"", "/common", "/pictures"})
     remove_unfinished_files(run_directory + folder);
@@ -112,14 +112,14 @@ void RunLock::read(const std::string& run_directory) {
   if (take(F_RDLCK, use, 0)) return;
   std::array<char, 300> holder{};
   const ssize_t n = ::pread(fd_, holder.data(), holder.size() - 1, 0);
-  refuse(run_directory, "is being written by " +
-                            (n > 0 ? std::string(holder.data()) : std::string("another command")));
+  refuse_run(run_directory, "is being written by " + (n > 0 ? std::string(holder.data())
+                                                            : std::string("another command")));
 }
 
 void RunLock::join(const std::string& run_directory) {
   if (fd_ < 0) open(run_directory, O_RDWR);
   if (fd_ >= 0 && !take(F_RDLCK, ranks, patience_s))
-    refuse(run_directory, "another run begins there");
+    refuse_run(run_directory, "another run begins there");
 }
 
 }  // namespace enfilade

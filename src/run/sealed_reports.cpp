@@ -17,8 +17,8 @@
 namespace enfilade {
 namespace {
 
-constexpr const char* remedy = "make the reports again with 'enfilade solve RUN --resume'";
-constexpr SealedFormat reports_format{"enfilade-reports", 1, remedy};
+constexpr const char* reports_remedy = "make the reports again with 'enfilade solve RUN --resume'";
+constexpr SealedFormat reports_format{"enfilade-reports", 1, reports_remedy};
 constexpr std::array names = {"stats.json", "history.json", "warnings.json", "assignment.json",
                               "pictures/ranks.svg"};
 
@@ -34,8 +34,8 @@ std::string text_of(const std::string& path) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw RunError(path + ": " + what + "; " + remedy);
+[[noreturn]] void refuse_report(const std::string& path, const std::string& what) {
+  throw RunError(path + ": " + what + "; " + reports_remedy);
 }
 
 struct Seal {
@@ -55,7 +55,7 @@ Seal read_seal(const std::string& run_directory) {
   });
   const std::optional<Manifest> manifest = read_manifest(RunLayout(run_directory));
   if (!manifest || manifest->run != seal.run || manifest->iteration != seal.iteration)
-    refuse(path, "is of another run, or of another iteration than the committed one");
+    refuse_report(path, "is of another run, or of another iteration than the committed one");
   return seal;
 }
 
@@ -95,12 +95,12 @@ std::optional<std::string> read_report(const std::string& run_directory, const s
   const Seal seal = read_seal(run_directory);
   const auto known = seal.sums.find(name);
   if (!exists(path)) {
-    if (known != seal.sums.end()) refuse(path, "is missing");
+    if (known != seal.sums.end()) refuse_report(path, "is missing");
     return std::nullopt;
   }
   std::string text = text_of(path);
-  if (known == seal.sums.end()) refuse(path, "is not in reports.json");
-  if (known->second != checksum(text)) refuse(path, "was changed since the solve wrote it");
+  if (known == seal.sums.end()) refuse_report(path, "is not in reports.json");
+  if (known->second != checksum(text)) refuse_report(path, "was changed since the solve wrote it");
   return text;
 }
 

@@ -28,14 +28,14 @@ Json json_of(const RunRecord::Value& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& where,
-                         const std::string& what) {
+[[noreturn]] void refuse_value(const std::string& path, const std::string& where,
+                               const std::string& what) {
   throw InputError(path, where, what, "give a run directory that a solve has written");
 }
 
 double number_of(const Json& json, const std::string& path, const std::string& key) {
   if (json.is_null()) return std::nan("");
-  if (!json.is_number()) refuse(path, key, "a list shall hold numbers only");
+  if (!json.is_number()) refuse_value(path, key, "a list shall hold numbers only");
   return json.get<double>();
 }
 
@@ -44,14 +44,15 @@ RunRecord::Value value_of(const Json& json, const std::string& path, const std::
   if (json.is_string()) return json.get<std::string>();
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number() || json.is_null()) return number_of(json, path, key);
-  if (!json.is_array()) refuse(path, key, "a value shall be a number, a word or a list of numbers");
+  if (!json.is_array())
+    refuse_value(path, key, "a value shall be a number, a word or a list of numbers");
   std::vector<double> list;
   for (const Json& item : json) list.push_back(number_of(item, path, key));
   return list;
 }
 
 RunRecord record_of(const Json& json, const std::string& path) {
-  if (!json.is_object()) refuse(path, "top", "an object of keys and values is expected");
+  if (!json.is_object()) refuse_value(path, "top", "an object of keys and values is expected");
   RunRecord record;
   for (const auto& [key, value] : json.items()) record.set(key, value_of(value, path, key));
   return record;
@@ -59,7 +60,7 @@ RunRecord record_of(const Json& json, const std::string& path) {
 
 Json parse_list(const std::string& text, const std::string& path) {
   Json json = parse_ordered_json(text, path);
-  if (!json.is_array()) refuse(path, "top", "a list is expected");
+  if (!json.is_array()) refuse_value(path, "top", "a list is expected");
   return json;
 }
 
@@ -97,7 +98,7 @@ std::vector<Rank> owners_from(const std::string& text, const std::string& path) 
   std::vector<Rank> owners;
   for (const Json& item : parse_list(text, path)) {
     if (!item.is_number_unsigned() || item.get<std::uint64_t>() > most_ranks)
-      refuse(path, std::to_string(owners.size()), "a rank is expected");
+      refuse_value(path, std::to_string(owners.size()), "a rank is expected");
     owners.push_back(Rank{item.get<int>()});
   }
   return owners;
@@ -106,7 +107,8 @@ std::vector<Rank> owners_from(const std::string& text, const std::string& path) 
 std::vector<std::string> lines_from(const std::string& text, const std::string& path) {
   std::vector<std::string> lines;
   for (const Json& item : parse_list(text, path)) {
-    if (!item.is_string()) refuse(path, std::to_string(lines.size()), "a line of text is expected");
+    if (!item.is_string())
+      refuse_value(path, std::to_string(lines.size()), "a line of text is expected");
     lines.push_back(item.get<std::string>());
   }
   return lines;

@@ -110,13 +110,13 @@ std::vector<std::size_t> nearly_convex(const std::vector<Vec2>& p, double tolera
 ConvexParts split_up(const Polygon& polygon, const std::vector<Vec2>& flat, const Frame& frame,
                      bool planar, double extent, double tolerance) {
   const Triangulation mesh = triangulate(flat, tolerance * extent);
-  if (!mesh.simple) return {Shape::self_intersecting, {}};
+  if (!mesh.simple) return {PolygonShape::self_intersecting, {}};
   std::vector<Vec3> points = polygon;
   for (std::size_t i = points.size(); i < mesh.points.size(); ++i)
     points.push_back(frame.up(mesh.points[i]));
   std::vector<IndexLoop> loops;
   for (const auto& t : mesh.triangles) loops.emplace_back(t.begin(), t.end());
-  ConvexParts result{planar ? Shape::non_convex : Shape::non_planar, {}};
+  ConvexParts result{planar ? PolygonShape::non_convex : PolygonShape::non_planar, {}};
   for (const IndexLoop& loop : merge_convex(points, std::move(loops), tolerance, 1e-12)) {
     Polygon part;
     for (const std::uint32_t i : loop) part.push_back(points[i]);
@@ -141,9 +141,9 @@ ConvexParts convex_parts(const Polygon& raw, const SceneScale& scale) {
   const double extent = bounds(raw).diagonal(), tolerance = scale.flat(extent);
   Polygon polygon = without_repeats(raw, scale.same_vertex(extent));
   const double width = width_of(polygon);
-  if (polygon.size() < 3 || width <= scale.sliver(extent)) return {Shape::degenerate, {}};
+  if (polygon.size() < 3 || width <= scale.sliver(extent)) return {PolygonShape::degenerate, {}};
   // Wide, yet without area: its loops run in opposite senses and cancel.
-  if (area_m2(polygon) < 1e-6 * width * extent) return {Shape::self_intersecting, {}};
+  if (area_m2(polygon) < 1e-6 * width * extent) return {PolygonShape::self_intersecting, {}};
   const Frame frame(polygon[0], normal(polygon));
   const Plane plane = plane_of(polygon);
   std::vector<Vec2> flat;
@@ -152,12 +152,12 @@ ConvexParts convex_parts(const Polygon& raw, const SceneScale& scale) {
     flat.push_back(frame.down(p));
     planar &= std::abs(plane.signed_distance(p)) <= tolerance;
   }
-  if (planar && turns_left_once(flat)) return {Shape::convex, {std::move(polygon)}};
+  if (planar && turns_left_once(flat)) return {PolygonShape::convex, {std::move(polygon)}};
   if (planar) {
     Polygon hull;
     for (const std::size_t i : nearly_convex(flat, tolerance, scale.same_vertex(extent)))
       hull.push_back(polygon[i]);
-    if (!hull.empty()) return {Shape::convex, {std::move(hull)}};
+    if (!hull.empty()) return {PolygonShape::convex, {std::move(hull)}};
   }
   return split_up(polygon, flat, frame, planar, extent, tolerance);
 }

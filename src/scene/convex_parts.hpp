@@ -7,10 +7,10 @@
 
 namespace enfilade {
 
-enum class Shape { convex, degenerate, non_planar, non_convex, self_intersecting };
+enum class PolygonShape { convex, degenerate, non_planar, non_convex, self_intersecting };
 
 struct ConvexParts {
-  Shape shape = Shape::convex;
+  PolygonShape shape = PolygonShape::convex;
   std::vector<Polygon> parts;  ///< none where degenerate or self-intersecting
 };
 

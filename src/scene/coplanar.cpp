@@ -13,11 +13,6 @@
 namespace enfilade {
 namespace {
 
-bool emits(const Surface& surface) {
-  return std::any_of(surface.exitance.begin(), surface.exitance.end(),
-                     [](double e) { return e > 0.0; });
-}
-
 /// What the pieces of one surface look like, to compare with others.
 using Material = std::tuple<Spectrum, Spectrum, Spectrum>;
 
@@ -109,7 +104,7 @@ class Covers {
       if (!covered_.duplicate[i]) order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const bool a_emits = emits(surface(a)), b_emits = emits(surface(b));
+      const bool a_emits = surface(a).emits(), b_emits = surface(b).emits();
       return a_emits != b_emits ? a_emits : pieces_[a].surface > pieces_[b].surface;
     });
     return order;

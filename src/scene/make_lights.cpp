@@ -18,10 +18,6 @@ LightFrame frame_of(const Surface& surface) {
   return LightFrame::of(aim);
 }
 
-bool emits(const Surface& surface) {
-  return std::ranges::any_of(surface.exitance, [](double e) { return e > 0.0; });
-}
-
 }  // namespace
 
 void make_lights(Scene& scene) {
@@ -33,7 +29,7 @@ void make_lights(Scene& scene) {
     make_opening(light);
   }
   for (Surface& surface : scene.surfaces) {
-    if (!surface.distribution || !emits(surface)) continue;
+    if (!surface.distribution || !surface.emits()) continue;
     LightSource light;
     light.frame = frame_of(surface);
     light.opening = convex_parts(surface.vertices, scale).parts;

@@ -22,21 +22,21 @@ std::vector<Polygon> parts_of(const Scene& scene, SurfaceId id, const SceneScale
                               Warnings& warnings, PieceReport& report) {
   ConvexParts found = convex_parts(scene.surfaces[id.index()].vertices, scale);
   switch (found.shape) {
-    case Shape::convex:
+    case PolygonShape::convex:
       break;
-    case Shape::degenerate:
+    case PolygonShape::degenerate:
       ++report.dropped;
       warnings.add(label(scene, id), "no area to speak of (point, line or sliver): dropped");
       break;
-    case Shape::non_planar:
+    case PolygonShape::non_planar:
       ++report.split;
       warnings.add(label(scene, id), "not planar: split into planar parts");
       break;
-    case Shape::non_convex:
+    case PolygonShape::non_convex:
       ++report.split;
       warnings.add(label(scene, id), "not convex: split into convex parts");
       break;
-    case Shape::self_intersecting:
+    case PolygonShape::self_intersecting:
       throw InputError(scene.file, label(scene, id) + ".vertices", "the polygon crosses itself",
                        "put its vertices in order around the outline, or split it");
   }

@@ -1,6 +1,7 @@
 // A scene as its file has it, and the convex pieces that the solver works on.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ struct Surface {
   Spectrum transmittance{};
 
   bool is_pane() const { return !transmittance.empty(); }
+  bool emits() const {
+    return std::ranges::any_of(exitance, [](double e) { return e > 0.0; });
+  }
 };
 
 /// A place where irradiance is computed: on a plane through p with normal n.

@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// a, b, c, d, e of the types 1 to 15 (ISO 15469:2004, table 1).
 constexpr std::array<std::array<double, 5>, 15> types{{{4.0, -0.70, 0.0, -1.0, 0.00},

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const char* const efficacy_note =
     "scene in W/m2: lumens of luminaires count as watts by 179 lm/W, alike in all bands";
 

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 9> known_keys{
+constexpr std::array<std::string_view, 9> room_keys{
     "name", "longName", "storey", "bbox", "outline", "z", "floorArea", "height", "required_lx"};
 
 class RoomReader {
@@ -125,7 +125,7 @@ std::vector<BuildingRoom> read_rooms(const KeyReader& keys, const json& document
     const json& entry = (*it)[i];
     rooms.push_back(RoomReader(keys, scale, entry, "rooms[" + std::to_string(i) + "]").read());
     for (auto key = entry.begin(); key != entry.end(); ++key) {
-      if (std::ranges::find(known_keys, key.key()) == known_keys.end())
+      if (std::ranges::find(room_keys, key.key()) == room_keys.end())
         unknown.insert("rooms[]." + key.key());
     }
   }

@@ -19,11 +19,6 @@ constexpr double share_hidden_by_noise = 0.1;
 /// Mean absolute value of a normally distributed error over its standard deviation, rounded.
 constexpr double mean_over_standard_error = 0.8;
 
-double relative(double power, double received) {
-  if (power == 0.0) return 0.0;
-  return received > 0.0 ? power / received : 1.0;
-}
-
 /// Returns the reflected share of band b's arriving power.
 double reflected_share(const IterationFigures& figures, std::size_t b) {
   return figures.arriving_power[b] > 0.0
@@ -73,10 +68,11 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
 /// Returns the local error of the patches in band b.
 double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationFigures& last = history.back().figures;
-  const double now = relative(last.link_error_power, last.received_power);
+  const double now = share_of_received(last.link_error_power, last.received_power);
   const IterationSummary* sampled = last_sampled(history);
   if (sampled == nullptr) return share_before_sampling * now;
-  const double then = relative(sampled->figures.link_error_power, sampled->figures.received_power);
+  const double then =
+      share_of_received(sampled->figures.link_error_power, sampled->figures.received_power);
   return residual(sampled->figures.error_samples, b) * (then > 0.0 ? now / then : 1.0);
 }
 
@@ -138,8 +134,9 @@ double steady_ratio(std::span<const IterationSummary> history) {
 /// before: the gathers' changes, and the coarse correction's, which counts at least once in full.
 double still_to_come(const IterationSummary& last, double passed_on) {
   const double series = passed_on / (1.0 - passed_on);
-  return relative(series * last.figures.change_power + std::max(1.0, series) * last.missing_power,
-                  last.figures.received_power);
+  return share_of_received(
+      series * last.figures.change_power + std::max(1.0, series) * last.missing_power,
+      last.figures.received_power);
 }
 
 }  // namespace

@@ -14,11 +14,6 @@ double worst_band(const Spectrum& power) {
   return power.empty() ? 0.0 : *std::max_element(power.begin(), power.end());
 }
 
-double relative(double power, double received) {
-  if (power == 0.0) return 0.0;
-  return received > 0.0 ? power / received : 1.0;
-}
-
 double first_epsilon(const PlanConfig& config) {
   const double coarser = config.at_points ? config.weights.first_at_points : 1.0;
   return config.epsilon > 0.0 ? config.epsilon
@@ -149,7 +144,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   const IterationSummary& last = history.back();
   Observation seen;
   seen.light_is_everywhere =
-      relative(last.figures.change_power, last.figures.received_power) < w.settled_change;
+      share_of_received(last.figures.change_power, last.figures.received_power) < w.settled_change;
   seen.few_links_refined =
       static_cast<double>(last.figures.work.links_refined) * w.links_per_refined <=
       static_cast<double>(last.figures.links);
@@ -182,7 +177,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   plan.finished = plan.converged = plan.sample = plan.renew_far = false;
   plan.received_power = last.figures.received_power;
   const bool light_is_everywhere =
-      relative(last.figures.change_power, last.figures.received_power) <
+      share_of_received(last.figures.change_power, last.figures.received_power) <
       config.weights.settled_change;
   // Once closed, rows stay closed: closure changes the light, and leaving it out again would change
   // the light back, without end.

@@ -8,7 +8,7 @@ namespace enfilade {
 namespace {
 /// A 32nd of the memory is swapped out beyond the need, as systems do, so that not every new page
 /// makes another one go.
-constexpr std::uint64_t slack_share = 32;
+constexpr std::uint64_t swap_slack_share = 32;
 }  // namespace
 
 const char* name_of(MemoryManager manager) {
@@ -154,7 +154,8 @@ std::uint64_t SimulatedPlacement::swap_oldest() {
     if (pages_[p].in_memory && pages_[p].last_use < clock_)
       used.emplace_back(pages_[p].last_use, p);
   }
-  const std::size_t excess = static_cast<std::size_t>(in_memory_ - frames_ + frames_ / slack_share);
+  const std::size_t excess =
+      static_cast<std::size_t>(in_memory_ - frames_ + frames_ / swap_slack_share);
   const std::size_t count = std::min(used.size(), excess);
   std::nth_element(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(count), used.end());
   for (std::size_t i = 0; i < count; ++i) {

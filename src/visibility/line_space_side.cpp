@@ -9,7 +9,7 @@ namespace {
 
 // The vertices of a side, if more than this, are replaced by the corners of a box: crossings grow
 // with the product of both sides' points.
-constexpr std::size_t most_points = 12;
+constexpr std::size_t most_side_points = 12;
 
 void add_distinct(std::vector<Vec3>& points, const Polygon& polygon) {
   for (const Vec3& p : polygon) {
@@ -65,9 +65,9 @@ LineSpaceSide side_of(std::vector<LineSpacePart> parts) {
   LineSpaceSide side;
   for (const LineSpacePart& part : parts) {
     side.box.add(bounds(part.polygon()));
-    if (side.points.size() <= most_points) add_distinct(side.points, part.polygon());
+    if (side.points.size() <= most_side_points) add_distinct(side.points, part.polygon());
   }
-  if (side.points.size() > most_points) side.points = corners(parts);
+  if (side.points.size() > most_side_points) side.points = corners(parts);
   side.parts = std::move(parts);
   return side;
 }

@@ -10,7 +10,7 @@ namespace {
 using SourceList = std::vector<const SourcePolygon*>;
 
 // The points of a source, if more than this, are replaced by the corners of their box.
-constexpr std::size_t most_points = 48;
+constexpr std::size_t most_window_points = 48;
 
 /// A sequence of portals: what lines through it pass, and where they lie beyond its last window.
 struct Path {
@@ -148,7 +148,7 @@ class Search {
       points.insert(points.end(), s->polygon.begin(), s->polygon.end());
       box.add(bounds(s->polygon));
     }
-    if (points.size() <= most_points) return points;
+    if (points.size() <= most_window_points) return points;
     const std::array<Vec3, 8> corners = box.corners();
     return {corners.begin(), corners.end()};
   }

@@ -4,7 +4,8 @@
 Rooms are the folders that `ENFILADE_ROOM_LIST` in src/CMakeLists.txt names, lowest first. Faults are: an include or a
 link that no arrow allows (the arrows are what a room's own CMakeLists.txt links), an arrow that no include needs, an
 arrow that goes up, a map (src/README.md) that draws other arrows, a cycle of includes, a library (MPI, SimGrid, Embree)
-or a runtime #ifdef outside the one room that may know it, and a room, file or function that is too large."""
+or a runtime #ifdef outside the one room that may know it, a type that two headers define, and a room, file or function
+that is too large."""
 import re
 import sys
 from pathlib import Path
@@ -157,6 +158,21 @@ def size_faults(root: Path, room: str) -> list:
     return faults
 
 
+TYPE = re.compile(r"^(?:struct|class|enum class|enum) ([A-Za-z]\w*)[^;{(]*\{", re.M)
+
+
+def name_faults(root: Path) -> list:
+    """All of src is one namespace: two types of one name break the one-definition rule, and the linker takes either's
+    functions for both."""
+    defined, faults = {}, []
+    for file in all_sources(root / "src"):
+        for name in TYPE.findall(file.read_text()) if file.suffix in (".hpp", ".h") else []:
+            first = defined.setdefault(name, file.relative_to(root))
+            if first != file.relative_to(root):
+                faults.append(f"{file.relative_to(root)}: defines {name}, which {first} defines as well")
+    return faults
+
+
 def stray_faults(root: Path, order: list) -> list:
     folders = sorted({file.parent for file in all_sources(root / "src")})
     names = [str(folder.relative_to(root / "src")) for folder in folders]
@@ -168,7 +184,7 @@ def find_faults(root: Path) -> list:
     faults = stray_faults(root, order)
     for room in order:
         faults += include_faults(root, room, order) + size_faults(root, room)
-    return faults + map_faults(root, order) + cycle_faults(root)
+    return faults + map_faults(root, order) + cycle_faults(root) + name_faults(root)
 
 
 def main() -> int:

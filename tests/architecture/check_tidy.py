@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """check_tidy.py SOURCE BUILD: runs clang-tidy with the checks of .clang-tidy over src, and fails on any finding.
 
-BUILD holds compile_commands.json. A file that passed is not looked at again until it, a header of the project that it
+BUILD holds compile_commands.json; where it compiles sources together (ENFILADE_TOGETHER), they are checked together, which
+takes a fraction of the time. A file that passed is not looked at again until it, a header of the project that it
 includes, .clang-tidy or clang-tidy itself changes: BUILD/tidy keeps a mark for each."""
 import concurrent.futures
 import hashlib
@@ -16,7 +17,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 
 def with_headers(file: Path, src: Path, seen: set) -> set:
-    """The file and all headers of the project that it includes."""
+    """The file and all files of the project that it includes."""
     if file in seen or not file.exists():
         return seen
     seen.add(file)
@@ -47,7 +48,7 @@ def main() -> int:
     source, build = (Path(argument).resolve() for argument in sys.argv[1:3])
     src = source / "src"
     compiled = {Path(entry["file"]).resolve() for entry in json.loads((build / "compile_commands.json").read_text())}
-    files = sorted(file for file in compiled if src in file.parents)
+    files = sorted(file for file in compiled if src in file.parents or build / "src" in file.parents)
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
     common = version + (source / ".clang-tidy").read_bytes()
     marks = build / "tidy"

@@ -56,7 +56,7 @@ void check_cover(const Polygon& a, const Polygon& b, const SceneScale& scale) {
   Polygon flat;  // b laid into a's plane
   for (const Vec3& v : b) flat.push_back(v - plane.signed_distance(v) * plane.n);
   const ConvexParts parts = convex_parts(flat, scale);
-  if (parts.shape != Shape::convex) return;
+  if (parts.shape != PolygonShape::convex) return;
   const double tolerance = 1e-9 * bounds(a).diagonal();
   Vec3 sum = area_vector(intersect_coplanar(a, parts.parts[0], tolerance));
   for (const Polygon& part : subtract_coplanar(a, parts.parts[0], tolerance)) {

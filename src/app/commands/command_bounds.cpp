@@ -14,7 +14,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText bounds_help{
     "bounds", "Say between which limits the light of rooms and surfaces lies for certain",
     "Example:\n  enfilade bounds out/house -o bounds.csv --bounds 0.05\n\n"
     "One line for the scene, each room and each surface: kind, name, then lower and upper limits "
@@ -97,7 +97,7 @@ void add_options(CLI::App& sub, BoundsOptions& o) {
 }  // namespace
 
 void add_bounds(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_bounds);
+  add_subcommand(cli, chosen, bounds_help, add_options, run_bounds);
 }
 
 }  // namespace enfilade

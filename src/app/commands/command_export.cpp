@@ -15,7 +15,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText export_help{
     "export", "Write the light as a glTF model, or the visibility graph as JSON",
     "Examples:\n  enfilade export out/duplex -o duplex.glb     (vertex colours, unlit: any "
     "viewer)\n"
@@ -62,7 +62,7 @@ void add_options(CLI::App& sub, ExportOptions& o) {
 }  // namespace
 
 void add_export(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_export);
+  add_subcommand(cli, chosen, export_help, add_options, run_export);
 }
 
 }  // namespace enfilade

@@ -19,7 +19,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText factors_help{
     "factors", "Write the view factors between surfaces, for EnergyPlus, MOOSE and others",
     "Example:\n  enfilade factors out/room -o view-factors.idf --zone \"Office 1\"\n\n"
     "The file's ending says its form: .csv, a line a pair; .idf, EnergyPlus's\n"
@@ -177,7 +177,7 @@ void add_options(CLI::App& sub, FactorsOptions& o) {
 }  // namespace
 
 void add_factors(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_factors);
+  add_subcommand(cli, chosen, factors_help, add_options, run_factors);
 }
 
 }  // namespace enfilade

@@ -12,7 +12,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText generate_help{
     "generate", "Make a building's scene from a short description",
     "Examples:\n"
     "  enfilade generate --preset demo -o demo.json\n"
@@ -83,7 +83,7 @@ void add_change(CLI::App& sub, GenerateOptions& o, const char* key, const std::s
       ->group("Building");
 }
 
-void add_field(CLI::App& sub, GenerateOptions& o, const BuildingField& field) {
+void add_field(CLI::App& sub, GenerateOptions& o, const DescriptionField& field) {
   const Building defaults;
   std::string help = field.help;
   if (const auto* whole = std::get_if<int Building::*>(&field.member)) {
@@ -105,13 +105,13 @@ void add_options(CLI::App& sub, GenerateOptions& o) {
   add_change(sub, o, "windows", "open, closed (with panes) or none (open)");
   add_change(sub, o, "furniture", "on every storey: chair=300,bin=10");
   add_change(sub, o, "ground_furniture", "on the ground floor beside that");
-  for (const BuildingField& field : building_fields()) add_field(sub, o, field);
+  for (const DescriptionField& field : building_fields()) add_field(sub, o, field);
 }
 
 }  // namespace
 
 void add_generate(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_generate);
+  add_subcommand(cli, chosen, generate_help, add_options, run_generate);
 }
 
 }  // namespace enfilade

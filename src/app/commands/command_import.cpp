@@ -15,7 +15,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText import_help{
     "import", "Make a scene file from a glTF, OBJ, IFC or Radiance model",
     "Examples:\n  enfilade import house.glb -o house.json\n"
     "  enfilade import plan.obj --units mm --up z -o plan.json\n"
@@ -131,7 +131,7 @@ void add_options(CLI::App& sub, ImportCommandOptions& o) {
 }  // namespace
 
 void add_import(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_import);
+  add_subcommand(cli, chosen, import_help, add_options, run_import);
 }
 
 }  // namespace enfilade

@@ -22,7 +22,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText info_help{
     "info",
     "Print the figures of a scene, of a RUN directory, or of a luminaire's photometric file",
     "Examples:\n  enfilade info scenes/duplex.json\n  enfilade info out/duplex\n"
@@ -148,7 +148,7 @@ void add_options(CLI::App& sub, InfoOptions& o) {
 }  // namespace
 
 void add_info(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_info);
+  add_subcommand(cli, chosen, info_help, add_options, run_info);
 }
 
 }  // namespace enfilade

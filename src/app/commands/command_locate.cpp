@@ -12,7 +12,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText locate_help{
     "locate", "Say which cell each point lies in",
     "Example:\n  enfilade locate out/duplex --points points.json -o cells.json\n\n"
     "points.json is {\"points\": [[x,y,z], ...]} or a probe file {\"probes\": [{\"p\": [x,y,z]}, "
@@ -59,7 +59,7 @@ void add_options(CLI::App& sub, LocateOptions& o) {
 }  // namespace
 
 void add_locate(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_locate);
+  add_subcommand(cli, chosen, locate_help, add_options, run_locate);
 }
 
 }  // namespace enfilade

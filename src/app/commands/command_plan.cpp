@@ -22,7 +22,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText plan_help{
     "plan", "Draw plans of the storeys: cells and portals, what a cell sees, the ranks' shares",
     "Examples:\n  enfilade plan out/duplex -o plan.svg\n"
     "  enfilade plan out/duplex -o seen.png --storey 1 --visible-from 3\n"
@@ -132,8 +132,8 @@ std::vector<Rank> chosen_owners(const PlanOptions& options, const Prepared& prep
   return owner;
 }
 
-PlanSubject chosen_subject(const PlanOptions& options, const Building& building, Prepared& prepared,
-                           const Progress& progress) {
+PlanSubject chosen_subject(const PlanOptions& options, const PlannedBuilding& building,
+                           Prepared& prepared, const Progress& progress) {
   const std::string subject = options.subject();
   if (subject == "assignment")
     return assignment_subject(building, chosen_owners(options, prepared));
@@ -150,7 +150,7 @@ void run_plan(const PlanOptions& options, const Console& console) {
   lock.read(options.run);
   Prepared prepared = load_prepared(options.run);
   const Occluders occluders(prepared.clusters);
-  const Building building{prepared.cells, prepared.clusters, occluders};
+  const PlannedBuilding building{prepared.cells, prepared.clusters, occluders};
   const PlanSubject subject = chosen_subject(options, building, prepared, console.progress());
   const std::vector<Storey> all = storeys(building);
   const int count = static_cast<int>(all.size());
@@ -214,7 +214,7 @@ void add_options(CLI::App& sub, PlanOptions& o) {
 }  // namespace
 
 void add_plan(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_plan);
+  add_subcommand(cli, chosen, plan_help, add_options, run_plan);
 }
 
 }  // namespace enfilade

@@ -13,7 +13,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText prepare_help{
     "prepare", "Cut a scene into cells and clusters: what solve starts from",
     "Example:\n  enfilade prepare scenes/duplex.json -o out/duplex\n\n"
     "solve does this by itself where it has not been done. One rank works, whatever mpirun "
@@ -40,7 +40,7 @@ void run_prepare(const PrepareOptions& options, const Console& console) {
   console.warnings(warnings);
   if (options.pictures) {
     const Occluders occluders(prepared.clusters);
-    const Building building{prepared.cells, prepared.clusters, occluders};
+    const PlannedBuilding building{prepared.cells, prepared.clusters, occluders};
     const std::vector<Leak> leaks = read_leaks(options.run);
     const std::vector<Storey> all = storeys(building);
     std::vector<FloorPlan> plans = floor_plans(building, cells_subject(building));
@@ -76,7 +76,7 @@ void add_options(CLI::App& sub, PrepareOptions& o) {
 }  // namespace
 
 void add_prepare(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_prepare);
+  add_subcommand(cli, chosen, prepare_help, add_options, run_prepare);
 }
 
 }  // namespace enfilade

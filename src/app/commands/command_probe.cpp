@@ -12,7 +12,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText probe_help{
     "probe", "Say how much light arrives at points",
     "Example:\n  enfilade probe out/duplex --points desks.json -o desks_lux.json\n\n"
     "desks.json is {\"probes\": [{\"p\": [x,y,z], \"n\": [0,0,1]}, ...]}, in metres. E is the "
@@ -91,7 +91,7 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
 }  // namespace
 
 void add_probe(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_probe);
+  add_subcommand(cli, chosen, probe_help, add_options, run_probe);
 }
 
 }  // namespace enfilade

@@ -17,7 +17,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText rooms_help{
     "rooms", "Say how much light each room has, as a table",
     "Example:\n  enfilade rooms out/duplex -o rooms.html --maintenance-factor 0.8\n\n"
     "Rooms are those that the scene file names (\"rooms\"; import fills them from an IFC model's\n"
@@ -152,7 +152,7 @@ void add_options(CLI::App& sub, RoomsOptions& o) {
 }  // namespace
 
 void add_rooms(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_rooms);
+  add_subcommand(cli, chosen, rooms_help, add_options, run_rooms);
 }
 
 }  // namespace enfilade

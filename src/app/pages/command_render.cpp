@@ -21,7 +21,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText render_help{
     "render", "Make a PNG picture of a solved scene",
     "Examples:\n  enfilade render out/duplex -o room.png\n"
     "  enfilade render out/duplex -o plan.png --camera storey-1 --false-colour\n"
@@ -171,7 +171,7 @@ void add_options(CLI::App& sub, RenderOptions& o) {
 }  // namespace
 
 void add_render(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_render);
+  add_subcommand(cli, chosen, render_help, add_options, run_render);
 }
 
 }  // namespace enfilade

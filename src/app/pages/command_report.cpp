@@ -11,7 +11,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText report_help{
     "report", "Make one page about one run, or about several side by side",
     "Example:\n  enfilade report out/fine out/coarse -o compare.html\n\n"
     "The page begins with the light in each room (as 'enfilade rooms' finds it, without "
@@ -56,7 +56,7 @@ void add_options(CLI::App& sub, ReportOptions& o) {
 }  // namespace
 
 void add_report(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_report);
+  add_subcommand(cli, chosen, report_help, add_options, run_report);
 }
 
 }  // namespace enfilade

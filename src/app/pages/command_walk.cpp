@@ -11,7 +11,7 @@ namespace enfilade {
 
 namespace {
 
-constexpr SubcommandText help_text{
+constexpr SubcommandText walk_help{
     "walk", "Make a page to walk through the building in a browser",
     "Example:\n  enfilade walk out/duplex -o walk.html --rooms\n\n"
     "The page needs no other file and no network: open it in a browser (WebGL 2, any of 2023 or "
@@ -66,7 +66,7 @@ void add_options(CLI::App& sub, WalkOptions& o) {
 }  // namespace
 
 void add_walk(CLI::App& cli, Command& chosen) {
-  add_subcommand(cli, chosen, help_text, add_options, run_walk);
+  add_subcommand(cli, chosen, walk_help, add_options, run_walk);
 }
 
 }  // namespace enfilade

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Half width of the range of r^2 over its middle: above `too_wide` a pair is cut before anything
 /// is integrated; below `narrow` polynomials of degree 1 are within 0.2% of each other.
 constexpr double too_wide = 0.6, narrow = 0.025;

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double gap_along(const FlatShape& a, const FlatShape& b, const Vec3& axis) {
   Range of_a{1e300, -1e300}, of_b{1e300, -1e300};

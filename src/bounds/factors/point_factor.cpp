@@ -11,7 +11,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// A remainder of this share of the factor is good enough to look for no other description.
 constexpr double good_remainder = 0.3;
 

@@ -148,7 +148,7 @@ void cut_links(const BoundState& state, const std::vector<std::uint32_t>& cut, R
 }  // namespace
 
 std::size_t refine(BoundState& state, std::span<const double> weights,
-                   const RefinementConfig& config) {
+                   const BoundsRefinementConfig& config) {
   std::vector<Candidate> candidates = candidates_of(state, weights, config.point_weight);
   if (candidates.empty()) return 0;
   const std::size_t links = state.links();

@@ -5,7 +5,7 @@
 
 namespace enfilade {
 
-struct RefinementConfig {
+struct BoundsRefinementConfig {
   /// Of all links, those that are looked at in a round; and the links that a round may add, of
   /// those that there are.
   double chosen_share = 0.3, growth = 0.35;
@@ -21,6 +21,6 @@ struct RefinementConfig {
 /// Cuts; returns the number of links that were evaluated. `weights[polygon * bands + band]`: how
 /// much a unit of width of the polygon's mean irradiance times its area counts.
 std::size_t refine(BoundState& state, std::span<const double> weights,
-                   const RefinementConfig& config = {});
+                   const BoundsRefinementConfig& config = {});
 
 }  // namespace enfilade

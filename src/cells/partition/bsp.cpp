@@ -38,7 +38,7 @@ double border_area(const std::vector<Fragment>& fragments) {
 }
 
 /// Shares and areas count as different only where they differ by more than this share of them.
-constexpr double rounding = 1e-6;
+constexpr double share_rounding = 1e-6;
 
 // The plane that covers the largest share of the region's cross-section along it. Each facing is
 // summed by itself, because the two faces of a thin wall cover the same ground. In a sprawling
@@ -61,9 +61,9 @@ Choice most_occluding(const Job& job, const PlaneSet& planes, const CellComplex:
     if (whole <= tolerance * tolerance) continue;
     const double share = std::min(1.0, area / whole);
     if (share < config.min_occlusion && area < least_area) continue;
-    const bool clearly = share > best.share * (1.0 + rounding);
-    const bool level = !clearly && share >= best.share * (1.0 - rounding);
-    if (clearly || (level && area > best.area * (1.0 + rounding))) {
+    const bool clearly = share > best.share * (1.0 + share_rounding);
+    const bool level = !clearly && share >= best.share * (1.0 - share_rounding);
+    if (clearly || (level && area > best.area * (1.0 + share_rounding))) {
       best = {true, all[begin].plane, share, area, std::move(section)};
     }
   }

@@ -11,15 +11,13 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t outside_group = LeafGraph::outside;
-
 class Merger {
  public:
   Merger(std::span<const double> volume, std::span<const char> touches_outside,
          std::span<const LeafInterface> interfaces, const MergeConfig& config)
       : config_(config), graph_(volume, interfaces), candidates_(graph_, config_) {
     for (std::uint32_t i = 0; i < touches_outside.size(); ++i) {
-      if (touches_outside[i]) graph_.join(outside_group, i + 1);
+      if (touches_outside[i]) graph_.join(LeafGraph::outside, i + 1);
     }
   }
 
@@ -51,9 +49,9 @@ class Merger {
       const auto [at, is_new] =
           number.try_emplace(group, static_cast<std::uint32_t>(out.kinds.size()));
       if (is_new) {
-        out.kinds.push_back(group == outside_group ? CellKind::outside
-                            : is_room[group]       ? CellKind::room
-                                                   : CellKind::solid);
+        out.kinds.push_back(group == LeafGraph::outside ? CellKind::outside
+                            : is_room[group]            ? CellKind::room
+                                                        : CellKind::solid);
       }
       out.group_of_leaf.push_back(at->second);
     }
@@ -107,7 +105,7 @@ class Merger {
       crumbs += volume;
       if (crumbs > config_.crumb_share * total || volume > largest) break;
       const std::uint32_t g = graph_.find(i);
-      if (g == outside_group || graph_[g].volume > config_.crumb_share * total) continue;
+      if (g == LeafGraph::outside || graph_[g].volume > config_.crumb_share * total) continue;
       const std::uint32_t target = most_touched(g);
       if (target != g) graph_.join(g, target);
     }
@@ -130,7 +128,7 @@ class Merger {
 
   void join(std::uint32_t g, std::uint32_t h) {
     graph_.join(g, h);
-    if (g == outside_group) return;  // rooms are found before anything joins the outside
+    if (g == LeafGraph::outside) return;  // rooms are found before anything joins the outside
     candidates_.mark_changed(g);
     candidates_.mark_changed(h);
     for (const auto& [other, sides] : graph_[graph_.find(g)].contacts) {
@@ -146,10 +144,10 @@ class Merger {
     for (const MergeCandidate& c : candidates) {
       const bool has_via = c.via != MergeCandidate::no_group;
       if (touched[c.a] || touched[c.b] || (has_via && touched[c.via])) continue;
-      touched[c.a] = c.a != outside_group;
+      touched[c.a] = c.a != LeafGraph::outside;
       touched[c.b] = 1;
       if (has_via) touched[c.via] = 1;
-      if (c.a == outside_group && is_like_a_room(graph_[c.b])) lost_.push_back(c.b - 1);
+      if (c.a == LeafGraph::outside && is_like_a_room(graph_[c.b])) lost_.push_back(c.b - 1);
       join(c.a, c.b);
       if (has_via) join(graph_.find(c.a), c.via);
     }

@@ -5,11 +5,10 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t outside_group = LeafGraph::outside;
 /// Among openings of equal size a room comes before the outside.
 constexpr double outside_handicap = 1e-3;
-/// Openings count as larger only by more than rounding.
-constexpr double rounding = 1e-6;
+/// Openings count as larger only by more than opening_rounding.
+constexpr double opening_rounding = 1e-6;
 
 bool disagree(const LeafGroup& g, const LeafGroup& h) {
   return g.has_evidence() && h.has_evidence() && g.is_solid() != h.is_solid();
@@ -95,7 +94,7 @@ void MergeCandidates::add_rooms_across(std::uint32_t c, std::vector<MergeCandida
   };
   std::vector<Side> sides;
   for (const auto& [other, contacts] : graph_[c].contacts) {
-    if (other == outside_group || thin_[other] || disagree(graph_[other], graph_[c])) continue;
+    if (other == LeafGraph::outside || thin_[other] || disagree(graph_[other], graph_[c])) continue;
     Side side{other, 0.0, 0.0, 0.0};
     for (const auto& [plane_side, contact] : contacts) {
       if (contact.open <= 0.0) continue;
@@ -121,12 +120,12 @@ void MergeCandidates::add_rooms_across(std::uint32_t c, std::vector<MergeCandida
 
 std::vector<MergeCandidate> MergeCandidates::open_to_outside() {
   std::vector<MergeCandidate> all;
-  for (const auto& [g, sides] : graph_[outside_group].contacts) {
+  for (const auto& [g, sides] : graph_[LeafGraph::outside].contacts) {
     const LeafGroup& group = graph_[g];
     if (group.is_solid() || is_connector(group)) continue;
-    const double whole = group.boundary(), open = group.open_to(outside_group);
+    const double whole = group.boundary(), open = group.open_to(LeafGraph::outside);
     if (whole > 0.0 && open >= config_.outside_share * whole) {
-      all.push_back({open / whole, outside_group, g});
+      all.push_back({open / whole, LeafGraph::outside, g});
     }
   }
   return all;
@@ -140,8 +139,9 @@ std::vector<MergeCandidate> MergeCandidates::connectors() {
     for (const auto& [j, sides] : graph_[i].contacts) {
       if (disagree(graph_[i], graph_[j])) continue;
       const double open = graph_[i].open_to(j);
-      const double score = j == outside_group ? open * (1.0 - outside_handicap) : open;
-      if (score > best.score * (1.0 + rounding)) best = {score, std::min(i, j), std::max(i, j)};
+      const double score = j == LeafGraph::outside ? open * (1.0 - outside_handicap) : open;
+      if (score > best.score * (1.0 + opening_rounding))
+        best = {score, std::min(i, j), std::max(i, j)};
     }
     if (best.score > 0.0) all.push_back(best);
   }

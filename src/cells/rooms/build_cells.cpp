@@ -20,8 +20,6 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t no_cell = CellId::none_value;
-
 // Leaves whose region has a face on the border of the enlarged box.
 std::vector<char> find_touching(const std::vector<Region>& leaves, const Region& box) {
   std::vector<char> touching;
@@ -108,7 +106,7 @@ std::vector<Cell> renumber(const std::vector<Cell>& cells, std::span<const std::
                            std::vector<Portal>& portals) {
   std::vector<Cell> kept;
   for (const Cell& cell : cells) {
-    if (number[cell.id.index()] == no_cell) continue;
+    if (number[cell.id.index()] == CellId::none_value) continue;
     kept.push_back(cell);
     kept.back().id = CellId(kept.size() - 1);
   }
@@ -124,7 +122,7 @@ std::vector<Cell> renumber(const std::vector<Cell>& cells, std::span<const std::
 void hand_over(std::vector<Leak>& found, std::span<const std::uint32_t> number, bool is_one_room,
                const OwnFrame& own, std::vector<Leak>& leaks) {
   for (Leak& leak : found) {
-    if (number[leak.cell.index()] == no_cell) continue;
+    if (number[leak.cell.index()] == CellId::none_value) continue;
     leak.cell = CellId(number[leak.cell.index()]);
     if (is_one_room && leak.area_m2 > 0.0) leak.kind = LeakKind::open_side;
     for (Vec3& p : leak.path) p = own.out(p);

@@ -5,8 +5,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t no_cell = CellId::none_value;
-constexpr std::uint32_t several_cells = no_cell - 1;
+constexpr std::uint32_t several_cells = CellId::none_value - 1;
 
 /// By node, the one cell that all of its subtree lies in, or `several_cells`. A node's children
 /// have higher numbers than the node.
@@ -32,11 +31,12 @@ struct Passages {
 };
 
 Passages passages_of(std::size_t cells, std::span<const Portal> portals) {
-  Passages passages{std::vector<std::uint32_t>(cells, no_cell), std::vector<char>(cells, 0)};
+  Passages passages{std::vector<std::uint32_t>(cells, CellId::none_value),
+                    std::vector<char>(cells, 0)};
   for (const Portal& portal : portals) {
     for (const auto& [from, to] : {std::pair{portal.a, portal.b}, std::pair{portal.b, portal.a}}) {
       std::uint32_t& first = passages.leads_to[from.index()];
-      if (first == no_cell) first = to.value;
+      if (first == CellId::none_value) first = to.value;
       if (first != to.value) passages.joins_two[from.index()] = 1;
     }
   }
@@ -87,14 +87,15 @@ std::vector<std::uint32_t> drop_useless_cells(std::span<const Piece> pieces, con
     const Passages passages = passages_of(cells, portals);
     for (std::size_t i = 0; i < cells; ++i) {
       if (!keep[i] || holds_pieces[i] || passages.joins_two[i]) continue;
-      if (all.cells()[i].kind == CellKind::outside && passages.leads_to[i] != no_cell) continue;
+      if (all.cells()[i].kind == CellKind::outside && passages.leads_to[i] != CellId::none_value)
+        continue;
       keep[i] = 0;
       changed = true;
     }
     std::erase_if(portals,
                   [&](const Portal& p) { return !keep[p.a.index()] || !keep[p.b.index()]; });
   }
-  std::vector<std::uint32_t> number(cells, no_cell);
+  std::vector<std::uint32_t> number(cells, CellId::none_value);
   std::uint32_t next = 0;
   for (std::size_t i = 0; i < cells; ++i) {
     if (keep[i]) number[i] = next++;

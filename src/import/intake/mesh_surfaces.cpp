@@ -90,11 +90,11 @@ void MeshSurfaces::add(const ModelMesh& mesh, const ModelMaterial& material) {
       continue;
     }
     const ConvexParts parts = convex_parts(corners_of(loop, mesh.points), scale);
-    if (parts.shape == Shape::convex) {
+    if (parts.shape == PolygonShape::convex) {
       joinable.push_back(std::move(loop));
-    } else if (parts.shape == Shape::self_intersecting) {
+    } else if (parts.shape == PolygonShape::self_intersecting) {
       warnings_.add(in_quotes(mesh.object), "polygon that crosses itself: left out");
-    } else if (parts.shape != Shape::degenerate) {
+    } else if (parts.shape != PolygonShape::degenerate) {
       for (const Polygon& part : parts.parts) add_surface(part, mesh, material);
     }
   }

@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Values over one or two axes; the last axis runs fastest.
 struct DataTable {

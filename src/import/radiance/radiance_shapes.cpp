@@ -6,7 +6,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A circle's polygon; all points in one where the radius is 0.
 Polygon circle(const Vec3& center, const Vec3& x, const Vec3& y, double radius, int sides) {

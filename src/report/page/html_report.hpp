@@ -39,7 +39,7 @@ struct RunPage {
 RunPage read_run_page(const std::string& run_directory);
 /// Returns plans of each storey's cells and, where there are several ranks, of the assignment.
 /// `owner` may be empty.
-std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner);
+std::vector<FloorPlan> plans_of_run(const PlannedBuilding& building, std::span<const Rank> owner);
 /// Renders the pictures (tone-mapped; the first from within and the first cut-away also in false
 /// colour) and draws the plans.
 void add_pictures(RunPage& page, const SolvedScene& solved, std::span<const Camera> cameras,

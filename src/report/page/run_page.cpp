@@ -31,7 +31,7 @@ RunPage read_run_page(const std::string& run_directory) {
   return page;
 }
 
-std::vector<FloorPlan> plans_of_run(const Building& building, std::span<const Rank> owner) {
+std::vector<FloorPlan> plans_of_run(const PlannedBuilding& building, std::span<const Rank> owner) {
   std::vector<FloorPlan> plans = floor_plans(building, cells_subject(building));
   const auto other = [&](const Rank& rank) { return rank != owner.front(); };
   if (owner.size() == building.clusters.size() && std::ranges::any_of(owner, other)) {

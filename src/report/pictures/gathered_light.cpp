@@ -22,8 +22,8 @@ constexpr double same_direction = 0.999;
 
 }  // namespace
 
-GatheredLight::GatheredLight(const SolvedScene& solved, const CameraView& view, int width,
-                             int height, const GatherQuality& quality, const Progress& progress)
+PictureLight::PictureLight(const SolvedScene& solved, const CameraView& view, int width, int height,
+                           const GatherQuality& quality, const Progress& progress)
     : solved_(solved),
       width_(width),
       height_(height),
@@ -70,13 +70,13 @@ GatheredLight::GatheredLight(const SolvedScene& solved, const CameraView& view, 
   fill(reflected_, [&](auto&&... of) { gather.add_reflected(of...); });
 }
 
-const PolygonFrame& GatheredLight::frame_of(std::uint32_t polygon) const {
+const PolygonFrame& PictureLight::frame_of(std::uint32_t polygon) const {
   const PolygonRef ref = solved_.occluders.local(polygon);
   return solved_.states[ref.cluster.index()].patches().frames()[ref.polygon];
 }
 
 /// True where p, on polygon a, lies in the plane of b.
-bool GatheredLight::same_plane(std::uint32_t a, std::uint32_t b, const Vec3& p) const {
+bool PictureLight::same_plane(std::uint32_t a, std::uint32_t b, const Vec3& p) const {
   if (a == b) return true;
   const PolygonFrame& other = frame_of(b);
   return glm::dot(frame_of(a).n, other.n) > same_direction &&
@@ -85,7 +85,7 @@ bool GatheredLight::same_plane(std::uint32_t a, std::uint32_t b, const Vec3& p) 
 
 /// In each cell of the grid, for each plane that its pixels show, the pixel nearest to the cell's
 /// middle.
-void GatheredLight::find_places(Layer& layer, int step_px, const std::vector<Pixel>& pixels) {
+void PictureLight::find_places(Layer& layer, int step_px, const std::vector<Pixel>& pixels) {
   layer.step_px = step_px;
   layer.columns = (width_ + step_px - 1) / step_px;
   layer.rows = (height_ + step_px - 1) / step_px;
@@ -121,8 +121,8 @@ void GatheredLight::find_places(Layer& layer, int step_px, const std::vector<Pix
   layer.first.push_back(layer.places.size());
 }
 
-bool GatheredLight::add(const Layer& layer, double x, double y, const Vec3& p,
-                        std::uint32_t polygon, std::span<double> e) const {
+bool PictureLight::add(const Layer& layer, double x, double y, const Vec3& p, std::uint32_t polygon,
+                       std::span<double> e) const {
   const int column = static_cast<int>(x) / layer.step_px, row = static_cast<int>(y) / layer.step_px;
   const double narrow = 1.0 / (2.0 * std::pow(layer.width_steps * layer.step_px, 2));
   const int cells_around = static_cast<int>(std::lround(cut_off * layer.width_steps));
@@ -149,8 +149,8 @@ bool GatheredLight::add(const Layer& layer, double x, double y, const Vec3& p,
   return true;
 }
 
-bool GatheredLight::at(double x, double y, const Vec3& p, std::uint32_t polygon,
-                       std::span<double> e) const {
+bool PictureLight::at(double x, double y, const Vec3& p, std::uint32_t polygon,
+                      std::span<double> e) const {
   std::ranges::fill(e, 0.0);
   return add(direct_, x, y, p, polygon, e) && add(reflected_, x, y, p, polygon, e);
 }

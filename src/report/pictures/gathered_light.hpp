@@ -53,11 +53,11 @@ class QuickGather {
 };
 
 /// Gathered before the picture is painted; then light at any place that the picture shows.
-class GatheredLight {
+class PictureLight {
  public:
   /// `width` and `height` in pixels.
-  GatheredLight(const SolvedScene& solved, const CameraView& view, int width, int height,
-                const GatherQuality& quality, const Progress& progress = {});
+  PictureLight(const SolvedScene& solved, const CameraView& view, int width, int height,
+               const GatherQuality& quality, const Progress& progress = {});
 
   /// Writes the irradiance per band at p on `polygon`, which shows at (x, y) in pixels from the
   /// upper left corner; false where nothing was gathered in that plane nearby.

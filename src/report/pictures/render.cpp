@@ -33,8 +33,8 @@ class Painter {
     quality.direct_px = std::min(config.gather_every_px, quality.direct_px);
     quality.threads = config.threads;
     quality.seed = config.seed;
-    gathered_ = std::make_unique<GatheredLight>(solved, view_, config.width, config.height, quality,
-                                                progress);
+    gathered_ = std::make_unique<PictureLight>(solved, view_, config.width, config.height, quality,
+                                               progress);
   }
 
   std::size_t gathered_places() const { return gathered_ ? gathered_->places() : 0; }
@@ -131,7 +131,7 @@ class Painter {
   const SolvedScene& solved_;
   const RenderConfig& config_;
   CameraView view_;
-  std::unique_ptr<GatheredLight> gathered_;
+  std::unique_ptr<PictureLight> gathered_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "hierarchy/cluster_state.hpp"
-#include "report/plans/building.hpp"
+#include "report/plans/planned_building.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -17,7 +17,7 @@ struct SolvedScene {
   std::span<const ClusterState> states;
   const Occluders& occluders;  ///< made of `clusters`
 
-  Building building() const { return {cells, clusters, occluders}; }
+  PlannedBuilding building() const { return {cells, clusters, occluders}; }
 };
 
 }  // namespace enfilade

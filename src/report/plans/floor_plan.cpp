@@ -36,7 +36,7 @@ void draw_cells(Drawing& drawing, const std::vector<CellSection>& sections,
   }
 }
 
-void draw_clusters(Drawing& drawing, const Building& building,
+void draw_clusters(Drawing& drawing, const PlannedBuilding& building,
                    const std::vector<ClusterMark>& marks, const PlanSubject& subject) {
   // Visible clusters, with their stronger lines, over hidden ones.
   std::vector<const ClusterMark*> order;
@@ -146,8 +146,8 @@ PlanContents contents_of(const std::vector<PortalMark>& portals,
 
 }  // namespace
 
-FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
-                     const PlanSubject& subject, const FloorPlanConfig& config) {
+FloorPlan floor_plan(const PlannedBuilding& building, const std::vector<Storey>& storeys,
+                     int number, const PlanSubject& subject, const FloorPlanConfig& config) {
   const auto index = static_cast<std::size_t>(number - 1);
   Storey storey = storeys[index];
   if (index + 1 < storeys.size())
@@ -175,7 +175,7 @@ FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storey
   return plan;
 }
 
-std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
+std::vector<FloorPlan> floor_plans(const PlannedBuilding& building, const PlanSubject& subject,
                                    const FloorPlanConfig& config) {
   const std::vector<Storey> all = storeys(building);
   std::vector<FloorPlan> plans;

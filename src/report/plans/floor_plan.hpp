@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "report/drawing/drawing.hpp"
-#include "report/plans/building.hpp"
 #include "report/plans/plan_subject.hpp"
+#include "report/plans/planned_building.hpp"
 #include "report/plans/storeys.hpp"
 
 namespace enfilade {
@@ -23,10 +23,10 @@ struct FloorPlanConfig {
 };
 
 /// Returns one storey, as the subject colours it; `storeys` are all, `number` counts from 1.
-FloorPlan floor_plan(const Building& building, const std::vector<Storey>& storeys, int number,
-                     const PlanSubject& subject, const FloorPlanConfig& config = {});
+FloorPlan floor_plan(const PlannedBuilding& building, const std::vector<Storey>& storeys,
+                     int number, const PlanSubject& subject, const FloorPlanConfig& config = {});
 /// Returns all storeys, lowest first.
-std::vector<FloorPlan> floor_plans(const Building& building, const PlanSubject& subject,
+std::vector<FloorPlan> floor_plans(const PlannedBuilding& building, const PlanSubject& subject,
                                    const FloorPlanConfig& config = {});
 
 }  // namespace enfilade

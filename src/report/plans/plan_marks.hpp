@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "report/drawing/drawing.hpp"
-#include "report/plans/building.hpp"
+#include "report/plans/planned_building.hpp"
 #include "report/plans/storeys.hpp"
 
 namespace enfilade {

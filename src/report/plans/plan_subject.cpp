@@ -22,7 +22,7 @@ std::string cell_name(const Cell& cell) {
 }
 
 /// As for cells: kinds have their colours, clusters are black lines.
-PlanSubject plain(const Building& building, const std::string& name) {
+PlanSubject plain(const PlannedBuilding& building, const std::string& name) {
   PlanSubject subject;
   subject.name = name;
   subject.cells = cell_colours(building.cells);
@@ -37,7 +37,7 @@ void add_kind_keys(PlanSubject& subject) {
 }
 
 /// The rank that has most of each cell's surface; -1 for a cell without clusters.
-std::vector<int> rank_of_cells(const Building& building, std::span<const Rank> owner) {
+std::vector<int> rank_of_cells(const PlannedBuilding& building, std::span<const Rank> owner) {
   std::vector<std::map<int, double>> area_m2(building.cells.cells().size());
   for (std::size_t c = 0; c < building.clusters.size(); ++c) {
     const Cluster& cluster = building.clusters[c];
@@ -78,7 +78,7 @@ VisibleSet visible_set(const CellComplex& complex, std::span<const Cluster> clus
   return set;
 }
 
-PlanSubject cells_subject(const Building& building) {
+PlanSubject cells_subject(const PlannedBuilding& building) {
   PlanSubject subject = plain(building, "cells");
   const auto& cells = building.cells.cells();
   subject.subtitle = fmt::format("{} cells ({} of them rooms), {} portals, {} clusters",
@@ -89,7 +89,7 @@ PlanSubject cells_subject(const Building& building) {
   return subject;
 }
 
-PlanSubject visible_subject(const Building& building, const VisibleSet& set) {
+PlanSubject visible_subject(const PlannedBuilding& building, const VisibleSet& set) {
   PlanSubject subject = plain(building, "visible");
   for (std::size_t c = 0; c < set.cells.size(); ++c) {
     const bool solid = building.cells.cells()[c].kind == CellKind::solid;
@@ -123,7 +123,7 @@ PlanSubject visible_subject(const Building& building, const VisibleSet& set) {
   return subject;
 }
 
-PlanSubject assignment_subject(const Building& building, std::span<const Rank> owner) {
+PlanSubject assignment_subject(const PlannedBuilding& building, std::span<const Rank> owner) {
   PlanSubject subject = plain(building, "assignment");
   const std::vector<int> ranks = rank_of_cells(building, owner);
   for (std::size_t c = 0; c < ranks.size(); ++c) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "report/plans/building.hpp"
 #include "report/plans/plan_colours.hpp"
+#include "report/plans/planned_building.hpp"
 #include "visibility/cluster_graph.hpp"
 
 namespace enfilade {
@@ -49,9 +49,9 @@ struct PlanSubject {
   bool portals = true;
 };
 
-PlanSubject cells_subject(const Building& building);
-PlanSubject visible_subject(const Building& building, const VisibleSet& set);
+PlanSubject cells_subject(const PlannedBuilding& building);
+PlanSubject visible_subject(const PlannedBuilding& building, const VisibleSet& set);
 /// owner[i] = rank of cluster i; a cell has a tint of the rank with most of its surface.
-PlanSubject assignment_subject(const Building& building, std::span<const Rank> owner);
+PlanSubject assignment_subject(const PlannedBuilding& building, std::span<const Rank> owner);
 
 }  // namespace enfilade

@@ -13,7 +13,7 @@ struct FloorPiece {
   double height_m, headroom_m, area_m2;
 };
 
-bool in_room(const Building& building, const Cluster& cluster) {
+bool in_room(const PlannedBuilding& building, const Cluster& cluster) {
   const auto& cells = building.cells.cells();
   return cluster.cell.valid() && cluster.cell.index() < cells.size() &&
          cells[cluster.cell.index()].kind == CellKind::room;
@@ -44,7 +44,7 @@ std::vector<Vec3> spread_points(const Polygon& polygon, double area) {
 }
 
 /// Upward ground of rooms with a front side above it (a ceiling), high enough to stand under.
-std::vector<FloorPiece> floor_pieces(const Building& building, double least_headroom_m) {
+std::vector<FloorPiece> floor_pieces(const PlannedBuilding& building, double least_headroom_m) {
   std::vector<FloorPiece> pieces;
   const bool rooms = std::ranges::any_of(
       building.clusters, [&](const Cluster& cluster) { return in_room(building, cluster); });
@@ -115,7 +115,7 @@ double median_headroom(std::vector<FloorPiece> pieces, double height_m, double r
 
 }  // namespace
 
-Box room_bounds(const Building& building) {
+Box room_bounds(const PlannedBuilding& building) {
   Box rooms, all;
   for (const Cluster& cluster : building.clusters) {
     all.add(cluster.bounds);
@@ -124,7 +124,7 @@ Box room_bounds(const Building& building) {
   return rooms.empty() ? all : rooms;
 }
 
-std::vector<Storey> storeys(const Building& building) {
+std::vector<Storey> storeys(const PlannedBuilding& building) {
   const Box box = room_bounds(building);
   const double height_m = box.extent().z;
   // Two metres for buildings; a share of the height for models that are smaller than a room.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "report/plans/building.hpp"
+#include "report/plans/planned_building.hpp"
 
 namespace enfilade {
 
@@ -14,10 +14,10 @@ struct Storey {
 
 /// Returns at least one storey, lowest first: the heights where much upward area with headroom
 /// lies.
-std::vector<Storey> storeys(const Building& building);
+std::vector<Storey> storeys(const PlannedBuilding& building);
 
 /// Returns the box around the surfaces that face rooms; around all surfaces where no cell is a
 /// room.
-Box room_bounds(const Building& building);
+Box room_bounds(const PlannedBuilding& building);
 
 }  // namespace enfilade

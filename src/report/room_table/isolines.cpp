@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int refinement = 4;
+constexpr int line_refinement = 4;
 
 bool is_known(const GridField& field, int column, int row) {
   return column >= 0 && row >= 0 && column < field.columns && row < field.rows &&
@@ -101,10 +101,10 @@ std::vector<std::vector<Vec2>> isolines(const GridField& field, double level) {
       if (!is_known(field, column, row) || !is_known(field, column + 1, row) ||
           !is_known(field, column, row + 1) || !is_known(field, column + 1, row + 1))
         continue;
-      for (int k = 0; k < refinement * refinement; ++k) {
-        const double x = column + (k % refinement) / double(refinement);
-        const double y = row + (k / refinement) / double(refinement);
-        constexpr double step = 1.0 / refinement;
+      for (int k = 0; k < line_refinement * line_refinement; ++k) {
+        const double x = column + (k % line_refinement) / double(line_refinement);
+        const double y = row + (k / line_refinement) / double(line_refinement);
+        constexpr double step = 1.0 / line_refinement;
         const std::array<Vec2, 4> corners{Vec2(x, y), Vec2(x + step, y), Vec2(x + step, y + step),
                                           Vec2(x, y + step)};
         std::array<double, 4> values{};

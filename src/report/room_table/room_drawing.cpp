@@ -15,7 +15,7 @@ namespace {
 
 constexpr int width_px = 480, margin_px = 14;
 /// Each cell of the grid is drawn as so many by so many squares.
-constexpr int refinement = 3;
+constexpr int field_refinement = 3;
 constexpr std::size_t most_lines = 6;
 constexpr Rgb8 ink{25, 28, 33}, soft{120, 126, 134}, floor_colour{246, 245, 242};
 /// Colours are rounded to so many steps, so that neighbours become one shape.
@@ -49,8 +49,8 @@ class GridMap {
 void add_colours(const GridField& field, const RoomPlan& plan, const GridMap& map,
                  const LightScale& scale, Drawing& drawing) {
   std::map<Rgb8, Shape> shapes;
-  constexpr double step = 1.0 / refinement;
-  for (int row = 0; row < field.rows * refinement; ++row) {
+  constexpr double step = 1.0 / field_refinement;
+  for (int row = 0; row < field.rows * field_refinement; ++row) {
     const double y = (row + 0.5) * step - 0.5;
     std::optional<Rgb8> open;
     double from = 0.0;
@@ -64,7 +64,7 @@ void add_colours(const GridField& field, const RoomPlan& plan, const GridMap& ma
         path.push_back(map.at(corner));
       open.reset();
     };
-    for (int column = 0; column < field.columns * refinement; ++column) {
+    for (int column = 0; column < field.columns * field_refinement; ++column) {
       const double x = (column + 0.5) * step - 0.5;
       const double value = field.between(x, y);
       std::optional<Rgb8> colour;

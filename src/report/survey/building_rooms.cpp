@@ -135,7 +135,7 @@ RoomPlan plan_of_cell(const CellComplex& cells, const Cell& cell, double z_m) {
 }
 
 /// The room of a cell; without a plan where it has no floor.
-SurveyRoom room_of_cell(const Building& building, const Cell& cell) {
+SurveyRoom room_of_cell(const PlannedBuilding& building, const Cell& cell) {
   SurveyRoom room;
   room.name = "cell " + std::to_string(cell.id.value);
   const double z_m = cell.bounds.lo.z + std::min(2.0 * cut_m, 0.5 * cell.bounds.extent().z);
@@ -163,7 +163,7 @@ double usual_height(std::vector<SurveyRoom> rooms) {
   return 0.0;
 }
 
-std::vector<SurveyRoom> rooms_of_cells(const Building& building) {
+std::vector<SurveyRoom> rooms_of_cells(const PlannedBuilding& building) {
   std::vector<SurveyRoom> rooms;
   for (const Cell& cell : building.cells.cells()) {
     if (cell.kind != CellKind::room) continue;
@@ -203,7 +203,7 @@ std::string storey_of(const SurveyRoom& room, const std::vector<Storey>& all) {
 
 }  // namespace
 
-std::vector<SurveyRoom> rooms_of_building(const Building& building,
+std::vector<SurveyRoom> rooms_of_building(const PlannedBuilding& building,
                                           std::span<const BuildingRoom> told) {
   std::vector<SurveyRoom> rooms;
   const BoxPlans plans(building.cells, told);

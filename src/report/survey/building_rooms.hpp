@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/plans/building.hpp"
+#include "report/plans/planned_building.hpp"
 #include "report/survey/room_plan.hpp"
 #include "scene/building.hpp"
 
@@ -27,7 +27,7 @@ struct SurveyRoom {
 /// box of the cells that belong to the room, so that a room need not be a rectangle. A cell belongs
 /// to a room where half of the room's floor lies in it, or where it lies in the room's box by half
 /// and in no other room's box so well.
-std::vector<SurveyRoom> rooms_of_building(const Building& building,
+std::vector<SurveyRoom> rooms_of_building(const PlannedBuilding& building,
                                           std::span<const BuildingRoom> told);
 
 }  // namespace enfilade

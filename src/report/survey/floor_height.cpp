@@ -10,7 +10,7 @@ constexpr std::size_t points_of_room = 200;
 constexpr double floor_share = 0.25;
 constexpr double most_step_m = 0.03, step_share = 0.01;
 /// Cosine of the slope up to which a surface is a floor.
-constexpr double level = 0.9;
+constexpr double level_floor = 0.9;
 
 /// The start of the run of sorted heights, within `step_m`, that is the floor.
 double floor_of(const std::vector<double>& heights, double step_m) {
@@ -37,7 +37,7 @@ FloorHeight floor_height(const Occluders& occluders, const RoomPlan& plan, doubl
   for (const Vec2& p : plan.spread(points_of_room)) {
     const Vec3 from(p, from_m);
     const RayHit down = occluders.rays().closest(from, Vec3(0, 0, -1));
-    if (down.any() && std::abs(normal(occluders.polygon(down.polygon)).z) > level)
+    if (down.any() && std::abs(normal(occluders.polygon(down.polygon)).z) > level_floor)
       below.push_back(from_m - down.distance_m);
     const RayHit up = occluders.rays().closest(from, Vec3(0, 0, 1));
     if (up.any()) above.push_back(from_m + up.distance_m);

@@ -16,7 +16,7 @@ constexpr int over_height = 8;
 /// room's shorter side.
 constexpr double most_reach_m = 0.1, reach_share = 0.05;
 /// Cosines of the slopes up to which a surface is a ceiling, and a wall.
-constexpr double level = 0.5, upright = 0.3;
+constexpr double level_face = 0.5, upright_face = 0.3;
 
 class Mean {
  public:
@@ -67,7 +67,7 @@ std::optional<double> wall_light(const SolvedScene& solved, const SurveyRoom& ro
       for (int k = 0; k < over_height; ++k) {
         const double z = room.floor_m + (k + 0.5) / over_height * room.height_m();
         mean.add(Vec3(a + at_m * along - reach_m * outward, z), Vec3(outward, 0.0), 2.0 * reach_m,
-                 [](const Vec3& n) { return std::abs(n.z) < upright; });
+                 [](const Vec3& n) { return std::abs(n.z) < upright_face; });
       }
     }
     at_m -= length_m;
@@ -85,7 +85,7 @@ FaceLight face_light(const SolvedScene& solved, const SurveyRoom& room) {
     // From below the ceiling, so that neither tables nor hanging lamps are in the way.
     const double below_m = 0.1 * room.height_m();
     ceiling.add(Vec3(p, room.ceiling_m - below_m), Vec3(0, 0, 1), 1e30,
-                [](const Vec3& n) { return n.z < -level; });
+                [](const Vec3& n) { return n.z < -level_face; });
   }
   light.ceiling = ceiling.value();
   return light;

@@ -13,7 +13,7 @@ constexpr int rays_round = 64;
 /// Inside of a solid nearly all rays end on backs. In a room some of them may as well: a ceiling
 /// that faces the wrong way is half of what a point below it sees.
 constexpr double backs_share = 0.8;
-constexpr double golden = 0.6180339887498949;
+constexpr double golden_turn = 0.6180339887498949;
 /// A floor this much below the room's own is another room's: a share of the room's height.
 constexpr double floor_step_share = 0.2;
 /// Under a lid: so many of the rays upward end within this share of the room's shorter side and of
@@ -28,7 +28,8 @@ PointPlace place_of(const Occluders& occluders, const SurveyRoom& room, const Ve
   const double pocket_m = pocket_share * std::min(room.plan.rectangle().width_m, room.height_m());
   int backs = 0, ends = 0, upward = 0, near_above = 0;
   for (int i = 0; i < rays_round; ++i) {
-    const Vec3 d = sphere_direction(2.0 * (i + 0.5) / rays_round - 1.0, std::fmod(i * golden, 1.0));
+    const Vec3 d =
+        sphere_direction(2.0 * (i + 0.5) / rays_round - 1.0, std::fmod(i * golden_turn, 1.0));
     const RayHit hit = rays.closest(p, d);
     ends += hit.any();
     backs += hit.any() && !hit.front;

@@ -9,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint32_t in_air = RayScene::no_polygon;
+constexpr std::uint32_t on_no_polygon = RayScene::no_polygon;
 constexpr double exactly = 1e-9;
 
 struct KnownScene {
@@ -40,7 +40,8 @@ TEST(VisibleNodes, HaveTheKnownFactorsWhereFewStandBetween) {
     KnownScene scene(known);
     VisibleNodes visible(scene.occluders);
     std::vector<VisibleNode> nodes;
-    if (!visible.find(known.x, known.n, in_air, ClusterId(0u), scene.shooter(), 0, 1e-6, nodes)) {
+    if (!visible.find(known.x, known.n, on_no_polygon, ClusterId(0u), scene.shooter(), 0, 1e-6,
+                      nodes)) {
       ++given_up;
       continue;
     }
@@ -67,13 +68,13 @@ TEST(VisibleNodes, HaveTheKnownMoments) {
     VisibleNodes visible(scene.occluders);
     std::vector<VisibleNode> nodes;
     double brings = 0.0;
-    if (visible.find(known.x, known.n, in_air, ClusterId(0u), forest, 0, 1e-5, nodes)) {
+    if (visible.find(known.x, known.n, on_no_polygon, ClusterId(0u), forest, 0, 1e-5, nodes)) {
       for (const VisibleNode& node : nodes) brings += node.irradiance(forest, 0);
     } else {
       VisibleNode node{0};
       Random random(1);
-      visible.find_by_parts(known.x, known.n, in_air, ClusterId(0u), forest, 0, 1e-5, 0.0, random,
-                            node);
+      visible.find_by_parts(known.x, known.n, on_no_polygon, ClusterId(0u), forest, 0, 1e-5, 0.0,
+                            random, node);
       brings = node.irradiance(forest, 0);
     }
     EXPECT_NEAR(brings, want, 2e-4 * known.factor) << known.name;
@@ -90,7 +91,7 @@ TEST(VisibleNodes, FindTheKnownFactorsByParts) {
     VisibleNodes visible(scene.occluders);
     VisibleNode node{0};
     Random random(2);
-    const double variance = visible.find_by_parts(known.x, known.n, in_air, ClusterId(0u),
+    const double variance = visible.find_by_parts(known.x, known.n, on_no_polygon, ClusterId(0u),
                                                   scene.shooter(), 0, 1e-6, 1e-5, random, node);
     EXPECT_NEAR(node.factor, known.factor, exactly + 4.0 * std::sqrt(variance)) << known.name;
     EXPECT_LE(std::sqrt(variance), 0.01 * known.factor + 1e-4) << known.name;
@@ -107,9 +108,10 @@ TEST(EmitterSampler, IntegratesTheKnownFactors) {
     const EmitterSampler sampler(scene.states, scene.occluders);
     Spectrum irradiance{0.0}, variance{0.0};
     Random random(3);
-    const EmitterSampler::ControlVariate control = sampler.add_control_variate(
-        known.x, known.n, in_air, sampler.survey(known.x, known.n, in_air, 256, random), 1, 1e-4,
-        random, irradiance, variance);
+    const EmitterSampler::ControlVariate control =
+        sampler.add_control_variate(known.x, known.n, on_no_polygon,
+                                    sampler.survey(known.x, known.n, on_no_polygon, 256, random), 1,
+                                    1e-4, random, irradiance, variance);
     if (control.polygons.empty()) {
       EXPECT_EQ(irradiance[0], control.ambient[0]) << known.name;  // left to the rays
       continue;

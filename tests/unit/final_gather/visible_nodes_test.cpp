@@ -31,7 +31,7 @@ testing::Solved lit_corner() {
 constexpr std::uint32_t wall = 2;  // x = 0
 const Vec3 point(3.5, 0.5, 0), up(0, 0, 1);
 
-double sum(const std::vector<VisibleNode>& nodes) {
+double sum_of(const std::vector<VisibleNode>& nodes) {
   double factor = 0.0;
   for (const VisibleNode& node : nodes) factor += node.factor;
   return factor;
@@ -51,11 +51,11 @@ TEST(VisibleNodes, AreAsFineAsTheLightVaries) {
   EXPECT_GT(some.size(), 1u);
   EXPECT_GT(all.size(), some.size());
   // The visible factor does not depend on the nodes; the screen hides a part of the wall.
-  EXPECT_NEAR(sum(some), sum(whole), 1e-9);
-  EXPECT_NEAR(sum(all), sum(whole), 1e-9);
+  EXPECT_NEAR(sum_of(some), sum_of(whole), 1e-9);
+  EXPECT_NEAR(sum_of(all), sum_of(whole), 1e-9);
   const double bare = point_to_polygon(point, up, solved.clusters[wall].polygons[0].polygon);
-  EXPECT_LT(sum(whole), 0.9 * bare);
-  EXPECT_GT(sum(whole), 0.1 * bare);
+  EXPECT_LT(sum_of(whole), 0.9 * bare);
+  EXPECT_GT(sum_of(whole), 0.1 * bare);
 }
 
 /// Light that rises along a wall half hidden by a screen, against many rays to the wall.
@@ -90,8 +90,8 @@ TEST(VisibleNodes, HaveTheFirstMomentOfTheirFactor) {
       light += 1.0 + slope * y.z;
       ++open;
     }
-    EXPECT_NEAR(sum(nodes), open / double{side * side}, 5e-3 * sum(nodes)) << p.x;
-    EXPECT_NEAR(brings / sum(nodes), light / open, 1e-3 * light / open) << p.x;
+    EXPECT_NEAR(sum_of(nodes), open / double{side * side}, 5e-3 * sum_of(nodes)) << p.x;
+    EXPECT_NEAR(brings / sum_of(nodes), light / open, 1e-3 * light / open) << p.x;
   }
 }
 

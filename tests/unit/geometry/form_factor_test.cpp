@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointToPolygon, CentredParallelSquareMatchesTheClosedForm) {
   // Howell's catalogue B-4 (four quarter rectangles): sides 2a, distance c.

@@ -7,7 +7,7 @@
 namespace enfilade {
 namespace {
 
-Polygon square(double x0, double y0, double x1, double y1, double z = 0.0) {
+Polygon flat_square(double x0, double y0, double x1, double y1, double z = 0.0) {
   return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
 }
 
@@ -39,12 +39,12 @@ TEST(Polygon, DegenerateHasNoNormal) {
 
 TEST(Polygon, TotalAreaAddsUp) {
   EXPECT_EQ(total_area_m2(std::vector<Polygon>{}), 0.0);
-  EXPECT_NEAR(total_area_m2(std::vector<Polygon>{square(0, 0, 1, 2), square(5, 5, 8, 6)}), 5.0,
-              1e-12);
+  EXPECT_NEAR(total_area_m2(std::vector<Polygon>{flat_square(0, 0, 1, 2), flat_square(5, 5, 8, 6)}),
+              5.0, 1e-12);
 }
 
 TEST(EdgePlanes, LookOutwardAndLeaveOutShortEdges) {
-  Polygon p = square(0, 0, 2, 1);
+  Polygon p = flat_square(0, 0, 2, 1);
   p.insert(p.begin() + 1, {2.0 - 1e-9, 0, 0});
   EXPECT_EQ(edge_planes(p, {0, 0, 1}, 0.0).size(), 5u);
   const std::vector<Plane> planes = edge_planes(p, {0, 0, 1}, 1e-6);
@@ -56,7 +56,7 @@ TEST(EdgePlanes, LookOutwardAndLeaveOutShortEdges) {
 }
 
 TEST(Contains, CountsEdgesAndCornersAsInside) {
-  const Polygon p = square(0, 0, 2, 1, 3.0);
+  const Polygon p = flat_square(0, 0, 2, 1, 3.0);
   for (const Vec3& inside : {Vec3(1, 0.5, 3), Vec3(2, 0.5, 3), Vec3(0, 0, 3)}) {
     EXPECT_TRUE(contains(p, {0, 0, 5}, inside));
     EXPECT_TRUE(contains_within(p, {0, 0, 1}, inside, 0.0));
@@ -77,15 +77,15 @@ TEST(Contains, WorksInThePlaneAsInSpace) {
 
 TEST(Distances, ReachFromThePlaneToBothSides) {
   const Plane plane{{1, 0, 0}, 1.0};
-  const DistanceRange both = distances(square(0, 0, 4, 1), plane);
+  const DistanceRange both = distances(flat_square(0, 0, 4, 1), plane);
   EXPECT_EQ(both.lowest, -1.0);
   EXPECT_EQ(both.highest, 3.0);
   EXPECT_EQ(both.sum, 4.0);
-  const DistanceRange front = distances(square(2, 0, 4, 1), plane);
+  const DistanceRange front = distances(flat_square(2, 0, 4, 1), plane);
   EXPECT_EQ(front.lowest, 0.0);
   EXPECT_EQ(front.highest, 3.0);
-  EXPECT_TRUE(lies_in(square(0, 0, 1, 1), {{0, 0, 1}, 0.5}, 0.5));
-  EXPECT_FALSE(lies_in(square(0, 0, 1, 1), plane, 0.5));
+  EXPECT_TRUE(lies_in(flat_square(0, 0, 1, 1), {{0, 0, 1}, 0.5}, 0.5));
+  EXPECT_FALSE(lies_in(flat_square(0, 0, 1, 1), plane, 0.5));
 }
 
 TEST(Distances, OfABoxAreThoseOfItsFarthestCorner) {

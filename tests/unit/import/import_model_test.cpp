@@ -8,9 +8,9 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_lamp_scene(const Scene& scene, const std::string& warnings) {
   EXPECT_EQ(scene.bands, 3);

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-std::string fault(const std::string& text) {
+std::string fault_of(const std::string& text) {
   try {
     parse_json(text, "file");
   } catch (const InputError& error) {
@@ -20,23 +20,23 @@ std::string fault(const std::string& text) {
 std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
 
 TEST(JsonText, WhatLiesTooDeepIsRefusedWithItsPlace) {
-  EXPECT_EQ(fault(nested(100)), "");
-  EXPECT_THAT(fault("\n" + nested(101)), testing::StartsWith("file: line 2:101: "));
-  EXPECT_THAT(fault(nested(1000000)), testing::HasSubstr("more than 100 deep"));
-  EXPECT_THAT(fault(std::string(100000, '[')), testing::HasSubstr("more than 100 deep"));
+  EXPECT_EQ(fault_of(nested(100)), "");
+  EXPECT_THAT(fault_of("\n" + nested(101)), testing::StartsWith("file: line 2:101: "));
+  EXPECT_THAT(fault_of(nested(1000000)), testing::HasSubstr("more than 100 deep"));
+  EXPECT_THAT(fault_of(std::string(100000, '[')), testing::HasSubstr("more than 100 deep"));
   std::string objects;
   for (int i = 0; i < 200; ++i) objects += "{\"a\":";
-  EXPECT_THAT(fault(objects), testing::HasSubstr("more than 100 deep"));
+  EXPECT_THAT(fault_of(objects), testing::HasSubstr("more than 100 deep"));
 }
 
 TEST(JsonText, BracketsInTextAreNotDeep) {
-  EXPECT_EQ(fault("[\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\"]"), "");
+  EXPECT_EQ(fault_of("[\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\"]"), "");
 }
 
 TEST(JsonText, NoWordOfTheLibraryReachesTheUser) {
   for (const char* text : {"{", "[1e999", "{\"a\" 1}", "nul", "\x80", "[1,]", "\"\\uD800\""})
-    EXPECT_THAT(fault(text), testing::AllOf(testing::StartsWith("file: line 1:"),
-                                            testing::Not(testing::HasSubstr("json.exception"))))
+    EXPECT_THAT(fault_of(text), testing::AllOf(testing::StartsWith("file: line 1:"),
+                                               testing::Not(testing::HasSubstr("json.exception"))))
         << text;
 }
 

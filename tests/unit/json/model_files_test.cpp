@@ -7,7 +7,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string refusal(ModelFiles& files, const std::string& path) {
   return input_error([&] { files.read(path, {files.model(), "line 3"}); });

@@ -10,7 +10,7 @@ namespace {
 
 constexpr SealedFormat format{"enfilade-test", 3, "make it again"};
 
-std::string fault(const std::string& text) {
+std::string seal_fault(const std::string& text) {
   try {
     unseal(format, text, "file",
            [](const nlohmann::ordered_json& json) { [[maybe_unused]] const int x = json.at("x"); });
@@ -22,7 +22,7 @@ std::string fault(const std::string& text) {
 
 TEST(SealedJson, ComesBackAndIsJson) {
   const std::string text = seal(format, {{"x", 7}, {"y", {0.1, 1e300, -0.0}}});
-  EXPECT_EQ(fault(text), "");
+  EXPECT_EQ(seal_fault(text), "");
   EXPECT_EQ(nlohmann::json::parse(text)["version"], 3);
 }
 
@@ -32,18 +32,18 @@ TEST(SealedJson, EveryBitThatTurnsIsFound) {
     for (int bit = 0; bit < 8; ++bit) {
       std::string damaged = text;
       damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
-      EXPECT_NE(fault(damaged), "") << damaged;
+      EXPECT_NE(seal_fault(damaged), "") << damaged;
     }
   }
 }
 
 TEST(SealedJson, FaultsSayWhatToDo) {
   const std::string text = seal(format, {{"y", 1}});
-  EXPECT_EQ(fault(text),
+  EXPECT_EQ(seal_fault(text),
             "file: is damaged (a value is missing, or of another kind); make it again");
-  EXPECT_EQ(fault(""), "file: is no JSON; make it again");
-  EXPECT_EQ(fault("[]"), "file: is not an enfilade-test; make it again");
-  EXPECT_THAT(fault(R"({"format": "enfilade-test", "version": 2})"),
+  EXPECT_EQ(seal_fault(""), "file: is no JSON; make it again");
+  EXPECT_EQ(seal_fault("[]"), "file: is not an enfilade-test; make it again");
+  EXPECT_THAT(seal_fault(R"({"format": "enfilade-test", "version": 2})"),
               testing::HasSubstr("of another version of enfilade (2, this one knows 3)"));
 }
 

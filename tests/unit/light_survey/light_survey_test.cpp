@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A closed room of 4 x 4 x 3 m with a panel below its ceiling, which shines down.
 Scene lit_room() {

@@ -10,7 +10,7 @@
 namespace enfilade {
 namespace {
 
-Surface sheet(Vec2 lo, Vec2 hi, double z, bool up, double exitance = 0.0) {
+Surface sampled_sheet(Vec2 lo, Vec2 hi, double z, bool up, double exitance = 0.0) {
   Surface s;
   s.vertices = {{lo.x, lo.y, z}, {hi.x, lo.y, z}, {hi.x, hi.y, z}, {lo.x, hi.y, z}};
   if (!up) std::reverse(s.vertices.begin(), s.vertices.end());
@@ -38,8 +38,8 @@ struct HalfHidden {
     Scene scene;
     scene.bands = 1;
     scene.surfaces = std::move(receivers);
-    scene.surfaces.push_back(sheet({0, 0}, {1, 1}, 1, false, 1.0));
-    scene.surfaces.push_back(sheet({-9, -9}, {edge, 9}, 0.5, true));
+    scene.surfaces.push_back(sampled_sheet({0, 0}, {1, 1}, 1, false, 1.0));
+    scene.surfaces.push_back(sampled_sheet({-9, -9}, {edge, 9}, 0.5, true));
     return scene;
   }
   const ClusterState& shooter() const { return states[states.size() - 2]; }
@@ -50,7 +50,7 @@ double seen_from(double x, double edge) { return std::clamp(1.0 - (2.0 * edge - 
 /// Small parts of a receiver, each linked to the whole shooter by 1, 4 and 16 rays: on average a
 /// ray is as often open as the shooter's area is seen.
 TEST(LinkVisibility, RaysAreUnbiased) {
-  const HalfHidden pair({sheet({0, 0}, {1, 1}, 0, true)}, 0.5);
+  const HalfHidden pair({sampled_sheet({0, 0}, {1, 1}, 0, true)}, 0.5);
   struct Case {
     double tolerance;
     std::uint64_t rays;
@@ -75,7 +75,7 @@ TEST(LinkVisibility, RaysAreUnbiased) {
 
 /// The uncertainty of a link's visibility is that of its rays: not less than what it errs by.
 TEST(LinkVisibility, UncertaintyOfRaysIsNotTooSmall) {
-  const HalfHidden pair({sheet({0, 0}, {1, 1}, 0, true)}, 0.5);
+  const HalfHidden pair({sampled_sheet({0, 0}, {1, 1}, 0, true)}, 0.5);
   for (const double tolerance : {1.0, 1e-4, 1e-9}) {
     WorkCount work;
     LinkEstimator estimator(pair.occluders, VisibilityMethod::rays, work);
@@ -112,7 +112,7 @@ TEST(LinkEstimator, AGroupReceivesWhatItsPolygonsDo) {
     for (int k = 0; k < 3; ++k) {
       const double x = 0.3 * (g % 20) - 2.5, y = 0.3 * (g / 20) - 2.5, lean = 0.05 * (k - 1);
       Surface tile =
-          sheet({x + 0.05 * k, y}, {x + 0.05 * k + 0.04, y + 0.04}, low + 0.03 * k, true);
+          sampled_sheet({x + 0.05 * k, y}, {x + 0.05 * k + 0.04, y + 0.04}, low + 0.03 * k, true);
       tile.vertices[1].z += lean * 0.4;
       tile.vertices[2].z += lean * 0.4;
       tile.object = "tiles " + std::to_string(g);

@@ -11,7 +11,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double exactly = 1e-12;  // tolerance of power
+constexpr double rounding = 1e-12;  // tolerance of power
 
 using testing::sheet;
 
@@ -25,7 +25,7 @@ struct Sheets {
   LinkEstimate estimate;
 
   Sheets(const Surface& receiver, const Surface& shooter, const std::vector<Surface>& between,
-         Basis basis, double tolerance = exactly)
+         Basis basis, double tolerance = rounding)
       : scene(scene_of(receiver, shooter, between)),
         clusters(testing::clusters_of(scene)),
         occluders(clusters),

@@ -47,7 +47,7 @@ TEST(BuildingPlan, ARoomsRectangleStandsInsideIt) {
     const Building building = bent(5, turn);
     for (const Bay& bay : plan_building(building).bays) {
       for (const BaySide side : {BaySide::left, BaySide::right}) {
-        const RoomPlan room = plan_room(building, bay, side);
+        const ModelRoom room = plan_room(building, bay, side);
         for (const double x : {0.0, room.width_m}) {
           for (const double y : {0.0, room.depth_m}) {
             const Vec2 p = room.world(x, y);

@@ -34,8 +34,8 @@ struct Thing {
 
 /// The furniture of a room, measured in the room's frame.
 std::vector<Thing> things_in(const Building& building, const BuildingPlan& plan,
-                             const Storey& storey, const Space& space) {
-  const RoomPlan room =
+                             const ModelStorey& storey, const Space& space) {
+  const ModelRoom room =
       plan_room(building, plan.bays[static_cast<std::size_t>(space.bay)], space.side);
   std::map<std::string, Box> boxes;
   SurfaceSink sink(building, [&](const Surface& s) {
@@ -54,7 +54,7 @@ TEST(Furnishing, NothingPokesIntoAnythingNorBlocksADoor) {
   for (const char* wings : {"4", "4:35", "4:-35"}) {
     const Building building = crammed(wings);
     const BuildingPlan plan = plan_building(building);
-    const Storey storey = storey_of(building, 1);
+    const ModelStorey storey = storey_of(building, 1);
     for (const Space& space : deal_furniture(building, plan, storey)) {
       if (space.kind != Space::Kind::room) continue;
       Box way_in;  // from the door, and a step into the room
@@ -77,10 +77,10 @@ TEST(Furnishing, StaysOffWallsFloorAndCeiling) {
   for (const char* wings : {"4", "4:35", "4:-35"}) {
     const Building building = crammed(wings);
     const BuildingPlan plan = plan_building(building);
-    const Storey storey = storey_of(building, 0);
+    const ModelStorey storey = storey_of(building, 0);
     for (const Space& space : deal_furniture(building, plan, storey)) {
       if (space.kind != Space::Kind::room) continue;
-      const RoomPlan room =
+      const ModelRoom room =
           plan_room(building, plan.bays[static_cast<std::size_t>(space.bay)], space.side);
       SurfaceSink sink(building, [&](const Surface& s) {
         for (const Vec3& p : s.vertices) {

@@ -12,7 +12,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// I0 cos^n of the angle from the aim, by a table.
 std::shared_ptr<const IntensityDistribution> cosine_power(double n, double step = 1.0) {

@@ -11,7 +11,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A square of 2 x 2 m on the ground under a sky.
 struct Outside {

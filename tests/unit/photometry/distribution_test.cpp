@@ -18,7 +18,7 @@ namespace {
 using testing::radians;
 using testing::steps;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 IntensityDistribution of(PhotometryType type, std::vector<double> planes,
                          std::vector<double> angles, const testing::Intensity& intensity) {

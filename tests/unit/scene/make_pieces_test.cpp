@@ -8,8 +8,8 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Made {
   Scene scene;

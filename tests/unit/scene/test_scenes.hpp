@@ -22,7 +22,7 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     static int made = 0;
-    path_ = testing::TempDir() + "folder" + std::to_string(made++);
+    path_ = ::testing::TempDir() + "folder" + std::to_string(made++);
     std::filesystem::create_directory(path_);
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }

@@ -8,9 +8,9 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr const char* cosine =
     R"({"planes": [0], "angles": [0, 30, 60, 90], "candela": [[100, 86.6, 50, 0]]})";
 const std::string ies =

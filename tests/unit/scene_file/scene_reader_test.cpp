@@ -5,10 +5,10 @@
 namespace enfilade {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* triangle = R"("vertices": [[0,0,0],[1,0,0],[0,1,0]])";
 

@@ -7,7 +7,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(SceneWriter, RoundTripIsExact) {
   Random random(3);

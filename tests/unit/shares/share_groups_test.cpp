@@ -8,8 +8,8 @@
 namespace enfilade {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Surface lamp(const std::string& name, const std::string& object, double exitance,
              const std::string& on = "") {

@@ -27,28 +27,28 @@ IterationSummary sampled(int iteration, double patch_error) {
   return s;
 }
 
-const PlanConfig config{.emitted_power = {10.0, 1.0},
-                        .surfaces_power = {},
-                        .epsilon = 1e-3,
-                        .tolerance = 1e-4,
-                        .max_iterations = 50};
+const PlanConfig plan_settings{.emitted_power = {10.0, 1.0},
+                               .surfaces_power = {},
+                               .epsilon = 1e-3,
+                               .tolerance = 1e-4,
+                               .max_iterations = 50};
 
 TEST(IterationPlan, LinkToleranceIsAShareOfTheEmittedPower) {
-  EXPECT_DOUBLE_EQ(first_plan(config).link_tolerance, 0.01);
-  EXPECT_EQ(first_plan(config).iteration, 1);
-  EXPECT_FALSE(first_plan(config).finished);
+  EXPECT_DOUBLE_EQ(first_plan(plan_settings).link_tolerance, 0.01);
+  EXPECT_EQ(first_plan(plan_settings).iteration, 1);
+  EXPECT_FALSE(first_plan(plan_settings).finished);
 }
 
 TEST(IterationPlan, SamplesOnceTheLightIsStillThenEnds) {
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, 5e-5)};
-  const IterationPlan sampling = next_plan(history, config);
+  const IterationPlan sampling = next_plan(history, plan_settings);
   EXPECT_FALSE(sampling.finished);
   EXPECT_TRUE(sampling.sample);
   EXPECT_FALSE(sampling.refine);
   EXPECT_GE(sampling.sample_rays, 64);
 
   history.push_back(sampled(3, 0.01));
-  const IterationPlan plan = next_plan(history, config);
+  const IterationPlan plan = next_plan(history, plan_settings);
   EXPECT_TRUE(plan.finished);
   EXPECT_TRUE(plan.converged);
   EXPECT_EQ(plan.iteration, 4);
@@ -56,26 +56,26 @@ TEST(IterationPlan, SamplesOnceTheLightIsStillThenEnds) {
 
 TEST(IterationPlan, GoesOnWhileLinksAreRefinedOrLightMoves) {
   const std::vector<IterationSummary> refining = {summary(1, 0.5, 9000), summary(2, 5e-5, 5000)};
-  EXPECT_FALSE(next_plan(refining, config).finished);
-  EXPECT_FALSE(next_plan(refining, config).sample);
+  EXPECT_FALSE(next_plan(refining, plan_settings).finished);
+  EXPECT_FALSE(next_plan(refining, plan_settings).sample);
   const std::vector<IterationSummary> moving = {summary(1, 0.5, 9000), summary(2, 0.01)};
-  EXPECT_FALSE(next_plan(moving, config).finished);
-  EXPECT_FALSE(next_plan(moving, config).sample);
+  EXPECT_FALSE(next_plan(moving, plan_settings).finished);
+  EXPECT_FALSE(next_plan(moving, plan_settings).sample);
 }
 
 TEST(IterationPlan, RowsOnceClosedStayClosed) {
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000)};
   history.back().plan.close_rows = false;
-  EXPECT_FALSE(next_plan(history, config).close_rows);
+  EXPECT_FALSE(next_plan(history, plan_settings).close_rows);
   history.push_back(summary(2, 0.05));
-  EXPECT_TRUE(next_plan(history, config).close_rows);
+  EXPECT_TRUE(next_plan(history, plan_settings).close_rows);
   history.push_back(summary(3, 0.2));  // closing them has moved the light by more than that
-  EXPECT_TRUE(next_plan(history, config).close_rows);
+  EXPECT_TRUE(next_plan(history, plan_settings).close_rows);
 }
 
 TEST(IterationPlan, GivesUpAtTheLimitAndSaysSo) {
   const std::vector<IterationSummary> history = {summary(49, 0.6), summary(50, 0.5)};
-  const IterationPlan plan = next_plan(history, config);
+  const IterationPlan plan = next_plan(history, plan_settings);
   EXPECT_TRUE(plan.finished);
   EXPECT_FALSE(plan.converged);
 }

@@ -13,7 +13,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A beam of about 5 degrees, 20 degrees off the aim towards C = 40, over a weak even light.
 std::shared_ptr<const IntensityDistribution> leaning_beam() {

@@ -13,7 +13,7 @@
 namespace enfilade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Of a slab of index 1.52, relative to normal incidence: by the angles on both sides and the sum
 /// over all reflections within.
@@ -31,16 +31,16 @@ double clear_glass(double cosine) {
   return 0.5 * (slab(s) + slab(p)) / slab(head_on);
 }
 
-struct Lit {
+struct LitThroughPanes {
   Prepared prepared;
   Occluders occluders;
   Solution solution;
 
-  explicit Lit(const Scene& scene, double target = 0.01)
+  explicit LitThroughPanes(const Scene& scene, double target = 0.01)
       : prepared(made(scene)),
         occluders(prepared.clusters),
-        solution(solve_sequentially(prepared, occluders, config_of(target))) {}
-  static SolverConfig config_of(double target) {
+        solution(solve_sequentially(prepared, occluders, panes_config(target))) {}
+  static SolverConfig panes_config(double target) {
     SolverConfig config;
     config.target_error = target;
     return config;
@@ -105,7 +105,7 @@ Vec3 at_height(const Vec3& x, const Vec3& y, double z) {
 const std::vector<Vec3> floor_points{{1, 1.7, 0}, {3.5, 0.5, 0}, {2.2, 3.6, 0}, {0.1, 0.1, 0}};
 
 void expect_lamp_light(const Scene& scene, std::size_t band, const auto& passes) {
-  const Lit lit(scene);
+  const LitThroughPanes lit(scene);
   const PointGather gather = lit.gather();
   double off = 0.0, sum = 0.0;
   for (const Vec3& x : floor_points) {
@@ -158,7 +158,7 @@ TEST(Panes, DimPointLights) {
   Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.0, 0.0}, {0.0, 0.0});
   scene.lights = {LightSource{{1.0, 1.5, 2.5}, {100.0, 100.0}}};
   scene.surfaces.push_back(pane(facing_down(0, 2.5, 0, 4, 1.3), {0.7, 0.2}, {0.0, 0.0}));
-  const Lit lit(scene);
+  const LitThroughPanes lit(scene);
   const PointGather gather = lit.gather();
   double off = 0.0, sum = 0.0;
   for (double x = 0.1; x < 4.0; x += 0.2) {
@@ -238,7 +238,7 @@ TEST(Panes, ReflectAndPassAsPathTracingHasIt) {
   scene.surfaces[2].exitance = {1.0};  // x = 0
   scene.surfaces.push_back(pane({{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}}, {0.6}, {0.2}));
   ASSERT_LT(normal(scene.surfaces.back().vertices).x, -0.9);
-  const Lit lit(scene, 0.005);
+  const LitThroughPanes lit(scene, 0.005);
   EXPECT_TRUE(lit.solution.converged);
   const PointGather gather = lit.gather();
   struct Place {
@@ -281,7 +281,7 @@ TEST(Panes, AreNoWallsForCellsAndClusters) {
   wall(1, 2, 2, 3);
   scene.surfaces.push_back(pane({{3, 1, 0.8}, {3, 2, 0.8}, {3, 2, 2}, {3, 1, 2}}, {0.85}, {0.0}));
   scene.lights = {LightSource{{1.5, 1.5, 2.5}, {100.0}}};
-  const Lit lit(scene, 0.01);
+  const LitThroughPanes lit(scene, 0.01);
   const PointGather gather = lit.gather();
   // Straight through the pane.
   const Vec3 at(4.6, 1.4, 0.0), d = Vec3(1.5, 1.5, 2.5) - at;

@@ -15,7 +15,7 @@ using store_tests::CountingMachine;
 using store_tests::fresh_run;
 using store_tests::Rooms;
 
-const ClusterId zero(0u), one(1u);
+const ClusterId cluster_a(0u), cluster_b(1u);
 
 std::vector<std::byte> text(const std::string& s) {
   const std::span<const std::byte> bytes = std::as_bytes(std::span(s));
@@ -56,71 +56,73 @@ struct ClusterStoreTest : testing::Test {
 };
 
 TEST_F(ClusterStoreTest, BeginsWithTheStateBeforeTheFirstIteration) {
-  EXPECT_EQ(read(b, one, Section::geometry), rooms.state(1).bytes_of(Section::geometry));
-  EXPECT_EQ(read(b, one, Section::patches), rooms.state(1).bytes_of(Section::patches));
-  EXPECT_EQ(read(b, one, Section::links), rooms.state(1).bytes_of(Section::links));
+  EXPECT_EQ(read(b, cluster_b, Section::geometry), rooms.state(1).bytes_of(Section::geometry));
+  EXPECT_EQ(read(b, cluster_b, Section::patches), rooms.state(1).bytes_of(Section::patches));
+  EXPECT_EQ(read(b, cluster_b, Section::links), rooms.state(1).bytes_of(Section::links));
 }
 
 TEST_F(ClusterStoreTest, OthersSeeAnIterationOnlyWhenItIsCommitted) {
-  write(a, zero, "one", "links one");
-  EXPECT_EQ(read(a, zero, Section::patches), text("one")) << "Gauss-Seidel within a rank";
-  EXPECT_EQ(read(a, zero, Section::links), text("links one"));
+  write(a, cluster_a, "one", "links one");
+  EXPECT_EQ(read(a, cluster_a, Section::patches), text("one")) << "Gauss-Seidel within a rank";
+  EXPECT_EQ(read(a, cluster_a, Section::links), text("links one"));
   const auto before = rooms.state(0).bytes_of(Section::patches);
-  EXPECT_EQ(read(b, zero, Section::patches), before) << "last iteration's values from the others";
+  EXPECT_EQ(read(b, cluster_a, Section::patches), before)
+      << "last iteration's values from the others";
   a.move_to_common();
-  EXPECT_EQ(read(b, zero, Section::patches), before) << "moved, but not committed";
+  EXPECT_EQ(read(b, cluster_a, Section::patches), before) << "moved, but not committed";
   commit(1);
-  EXPECT_EQ(read(b, zero, Section::patches), text("one"));
-  EXPECT_EQ(read(b, zero, Section::links), text("links one"));
+  EXPECT_EQ(read(b, cluster_a, Section::patches), text("one"));
+  EXPECT_EQ(read(b, cluster_a, Section::links), text("links one"));
 }
 
 TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhole) {
-  write(a, zero, "zero 1", "links zero 1");
-  write(b, one, "one 1", "links one 1");
+  write(a, cluster_a, "zero 1", "links zero 1");
+  write(b, cluster_b, "one 1", "links one 1");
   a.move_to_common();
   b.move_to_common();
   commit(1);
-  write(a, zero, "zero 2", "links zero 2");
-  write(b, one, "one 2", "links one 2");
+  write(a, cluster_a, "zero 2", "links zero 2");
+  write(b, cluster_b, "one 2", "links one 2");
   a.move_to_common();  // and then everything dies
   ClusterStore fresh(layout, 5, Rank{1}, 2, machine);
   fresh.set_committed(1);
-  EXPECT_EQ(read(fresh, zero, Section::patches), text("zero 1"));
-  EXPECT_EQ(read(fresh, zero, Section::links), text("links zero 1"));
-  EXPECT_EQ(read(fresh, one, Section::patches), text("one 1"));
-  EXPECT_FALSE(std::filesystem::exists(RunLayout::patches(layout.local_of(Rank{1}), one, Slot::a)))
+  EXPECT_EQ(read(fresh, cluster_a, Section::patches), text("zero 1"));
+  EXPECT_EQ(read(fresh, cluster_a, Section::links), text("links zero 1"));
+  EXPECT_EQ(read(fresh, cluster_b, Section::patches), text("one 1"));
+  EXPECT_FALSE(
+      std::filesystem::exists(RunLayout::patches(layout.local_of(Rank{1}), cluster_b, Slot::a)))
       << "what was never moved is gone";
 }
 
 TEST_F(ClusterStoreTest, LinksThatDidNotChangeStayWhereTheyAre) {
-  write(a, zero, "p1", "links");
+  write(a, cluster_a, "p1", "links");
   a.move_to_common();
   commit(1);
   const std::uint64_t before = machine.local_written;
   for (int iteration = 2; iteration <= 5; ++iteration) {
-    write(a, zero, "p" + std::to_string(iteration));
+    write(a, cluster_a, "p" + std::to_string(iteration));
     a.move_to_common();
     commit(iteration);
-    EXPECT_EQ(read(b, zero, Section::patches), text("p" + std::to_string(iteration)));
-    EXPECT_EQ(read(b, zero, Section::links), text("links"));
+    EXPECT_EQ(read(b, cluster_a, Section::patches), text("p" + std::to_string(iteration)));
+    EXPECT_EQ(read(b, cluster_a, Section::links), text("links"));
   }
   EXPECT_EQ(machine.local_written - before, 4u * 2u);
 }
 
 TEST_F(ClusterStoreTest, AStolenClusterIsWrittenAndMovedByItsThief) {
-  read(b, zero, Section::patches);
-  write(b, zero, "by b", "links by b");
+  read(b, cluster_a, Section::patches);
+  write(b, cluster_a, "by b", "links by b");
   b.move_to_common();
   commit(1);
-  EXPECT_EQ(read(a, zero, Section::patches), text("by b"));
-  EXPECT_EQ(read(a, zero, Section::links), text("links by b"));
+  EXPECT_EQ(read(a, cluster_a, Section::patches), text("by b"));
+  EXPECT_EQ(read(a, cluster_a, Section::links), text("links by b"));
 }
 
 TEST_F(ClusterStoreTest, CountsWhatItMoves) {
-  const std::uint64_t bytes = read(b, one, Section::patches).size();
+  const std::uint64_t bytes = read(b, cluster_b, Section::patches).size();
   EXPECT_EQ(b.count().bytes_read, bytes);
   EXPECT_EQ(machine.common_read, bytes);
-  write(b, one, "12345", "123");
+  write(b, cluster_b, "12345", "123");
   EXPECT_EQ(b.count().bytes_written, 8u);
   EXPECT_EQ(machine.local_written, 8u);
   EXPECT_EQ(machine.common_written, 0u);

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint64_t page = SimulatedPlacement::page_bytes;
+constexpr std::uint64_t page_size = SimulatedPlacement::page_bytes;
 
 TEST(SimulatedPlacement, KnowsItsNames) {
   EXPECT_EQ(memory_manager("own"), MemoryManager::own);
@@ -18,21 +18,22 @@ TEST(SimulatedPlacement, KnowsItsNames) {
 
 /// Ten blocks of four pages; every other one is dropped; then one of eight pages comes.
 SimulatedPlacement after_a_hole_too_small(MemoryManager manager) {
-  SimulatedPlacement placement(manager, 40 * page);
+  SimulatedPlacement placement(manager, 40 * page_size);
   std::vector<SimulatedPlacement::Block> blocks(10, 0);
-  for (auto& block : blocks) placement.resize(block, 4 * page - 16);
+  for (auto& block : blocks) placement.resize(block, 4 * page_size - 16);
   for (std::size_t i = 0; i < 10; i += 2) placement.resize(blocks[i], 0);
   SimulatedPlacement::Block large = 0;
-  placement.resize(large, 8 * page - 16);
+  placement.resize(large, 8 * page_size - 16);
   return placement;
 }
 
 TEST(SimulatedPlacement, PiecesFillHolesThatAHeapCannot) {
-  EXPECT_EQ(after_a_hole_too_small(MemoryManager::own).count().extent_bytes, 40 * page);
+  EXPECT_EQ(after_a_hole_too_small(MemoryManager::own).count().extent_bytes, 40 * page_size);
   EXPECT_EQ(after_a_hole_too_small(MemoryManager::own).count().swapped_bytes, 0u);
   const SimulatedPlacementCount heap = after_a_hole_too_small(MemoryManager::malloc).count();
-  EXPECT_EQ(heap.extent_bytes, 48 * page) << "20 pages are free, and none of the holes has eight";
-  EXPECT_GE(heap.swapped_bytes, 8 * page) << "the holes are dirty, and have to make room";
+  EXPECT_EQ(heap.extent_bytes, 48 * page_size)
+      << "20 pages are free, and none of the holes has eight";
+  EXPECT_GE(heap.swapped_bytes, 8 * page_size) << "the holes are dirty, and have to make room";
 }
 
 TEST(SimulatedPlacement, AHeapTakesTheSmallestHoleAndJoinsNeighbours) {
@@ -53,37 +54,37 @@ TEST(SimulatedPlacement, AHeapTakesTheSmallestHoleAndJoinsNeighbours) {
 }
 
 TEST(SimulatedPlacement, WhatIsFreeAtTheEndGoesBack) {
-  SimulatedPlacement heap(MemoryManager::malloc, 10 * page);
+  SimulatedPlacement heap(MemoryManager::malloc, 10 * page_size);
   for (int i = 0; i < 100; ++i) {
     SimulatedPlacement::Block block = 0;
-    heap.resize(block, 9 * page);
+    heap.resize(block, 9 * page_size);
     heap.resize(block, 0);
   }
   EXPECT_EQ(heap.count().swapped_bytes, 0u);
-  EXPECT_LE(heap.count().extent_bytes, 10 * page);
+  EXPECT_LE(heap.count().extent_bytes, 10 * page_size);
 }
 
 TEST(SimulatedPlacement, SwapsWhatWasNotUsedForLongest) {
-  SimulatedPlacement placement(MemoryManager::own, 3 * page);
+  SimulatedPlacement placement(MemoryManager::own, 3 * page_size);
   std::vector<SimulatedPlacement::Block> blocks(4, 0);
-  for (std::size_t i = 0; i < 3; ++i) placement.resize(blocks[i], page);
+  for (std::size_t i = 0; i < 3; ++i) placement.resize(blocks[i], page_size);
   placement.use(blocks[0]);
-  placement.resize(blocks[3], page);  // 1 has to go
-  EXPECT_EQ(placement.count().swapped_bytes, page);
+  placement.resize(blocks[3], page_size);  // 1 has to go
+  EXPECT_EQ(placement.count().swapped_bytes, page_size);
   EXPECT_EQ(placement.use(blocks[0]), 0u);
   EXPECT_EQ(placement.use(blocks[2]), 0u);
-  EXPECT_EQ(placement.use(blocks[1]), 2 * page) << "in again, and 3 out";
+  EXPECT_EQ(placement.use(blocks[1]), 2 * page_size) << "in again, and 3 out";
 }
 
 TEST(SimulatedPlacement, OwnPiecesNeverTakeMoreThanTheBlocksDo) {
   Random random(7);
-  SimulatedPlacement own(MemoryManager::own, 1000 * page);
+  SimulatedPlacement own(MemoryManager::own, 1000 * page_size);
   std::vector<SimulatedPlacement::Block> blocks(50, 0);
   std::vector<std::uint64_t> accounted(50, 0);
   std::uint64_t live = 0, most = 0;
   for (int step = 0; step < 5000; ++step) {
     const std::size_t i = random.below(blocks.size());
-    const std::uint64_t bytes = random.below(20 * page);
+    const std::uint64_t bytes = random.below(20 * page_size);
     const std::uint64_t taken = own.accounted(bytes);
     most = std::max(most, live + taken);  // the new place is taken before the old one is left
     live += taken - accounted[i];

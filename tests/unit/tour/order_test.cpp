@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::uint64_t plenty = 1ull << 40;
+constexpr std::uint64_t enough_memory = 1ull << 40;
 
 TEST(Order, KnowsItsNames) {
   for (const char* const name : order_names()) EXPECT_STREQ(name_of(tour_order(name)), name);
@@ -19,7 +19,7 @@ TEST(Order, KnowsItsNames) {
 
 std::vector<std::uint32_t> backtracked(const ClusterGraph& graph,
                                        const std::vector<ClusterId>& clusters) {
-  const VisibilityCost cost(graph, std::vector<std::uint64_t>(graph.size(), 1), plenty);
+  const VisibilityCost cost(graph, std::vector<std::uint64_t>(graph.size(), 1), enough_memory);
   std::vector<std::uint32_t> numbers;
   for (const ClusterId c : make_order(TourOrder::backtracking, 1, graph)->arrange(clusters, cost)) {
     numbers.push_back(c.value);

@@ -11,11 +11,11 @@
 namespace enfilade {
 namespace {
 
-CellComplex build(const plan::Plan& plan) {
+CellComplex build_rooms(const plan::Plan& plan) {
   return build_cells(plan.pieces(), CellComplex::Config{});
 }
 
-long rooms_of(const CellComplex& complex) {
+long count_rooms(const CellComplex& complex) {
   return std::count_if(complex.cells().begin(), complex.cells().end(),
                        [](const Cell& cell) { return cell.kind == CellKind::room; });
 }
@@ -42,7 +42,7 @@ TEST(FloorSteps, AStepFromWallToWallPartsTwoRooms) {
   for (const double step_m : {0.006, 0.3}) {
     plan::Plan plan = stepped_room(step_m);
     plan.transform(plan::turn_and_move(100.0));
-    const CellComplex complex = build(plan);
+    const CellComplex complex = build_rooms(plan);
     EXPECT_EQ(complex.open_cells(), 2u) << step_m;
     ASSERT_EQ(complex.portals().size(), 1u) << step_m;
     EXPECT_NEAR(area_m2(complex.portals()[0].polygon), 4.0 * (2.5 - step_m), 1e-6);
@@ -52,13 +52,13 @@ TEST(FloorSteps, AStepFromWallToWallPartsTwoRooms) {
 TEST(FloorSteps, APlatformALowWallAndABeamPartNothing) {
   plan::Plan platform = plan::one_room();
   platform.box({0, 0, 0}, {0.6, 4, 0.3}, false);
-  EXPECT_EQ(rooms_of(build(platform)), 1);
+  EXPECT_EQ(count_rooms(build_rooms(platform)), 1);
   plan::Plan wall = plan::one_room();
   wall.box({2.4, 0, 0}, {2.5, 4, 0.5}, false);
-  EXPECT_EQ(rooms_of(build(wall)), 1);
+  EXPECT_EQ(count_rooms(build_rooms(wall)), 1);
   plan::Plan beam = plan::one_room();
   beam.box({2.4, 0, 2.2}, {2.6, 4, 2.5}, false);
-  EXPECT_EQ(rooms_of(build(beam)), 1);
+  EXPECT_EQ(count_rooms(build_rooms(beam)), 1);
 }
 
 /// Two storeys with a flight of 14 treads up through the hole between them.
@@ -75,8 +75,8 @@ TEST(Stairwells, AFlightOfStairsIsACellBetweenTwoStoreys) {
   plan::Plan plan = two_storeys_with_stairs();
   const auto move = plan::turn_and_move(100.0);
   plan.transform(move);
-  const CellComplex complex = build(plan);
-  EXPECT_EQ(rooms_of(complex), 3);
+  const CellComplex complex = build_rooms(plan);
+  EXPECT_EQ(count_rooms(complex), 3);
   const CellId below = complex.locate(move({6, 4, 1})), above = complex.locate(move({6, 4, 4}));
   const CellId stairs = complex.locate(move({1, 1.5, 2.6}));
   EXPECT_NE(below, above);

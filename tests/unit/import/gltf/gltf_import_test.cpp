@@ -13,10 +13,10 @@ namespace {
 
 using test::area_of;
 using test::GltfModel;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(GltfImport, UnknownExtensionsAreToldAndRefusedWhereRequired) {
   GltfModel model;

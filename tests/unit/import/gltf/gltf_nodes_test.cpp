@@ -7,7 +7,7 @@ namespace {
 
 using test::area_of;
 using test::GltfModel;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(GltfNodes, AChainMayBeLongerThanAStackIsDeep) {
   constexpr std::size_t length = 100'000;

@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// An IFC file with a building of one storey (#10), lengths in millimetres; `entities` follow.
 std::string model(const std::string& entities, const std::string& schema = "IFC4") {

@@ -9,7 +9,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Bytes = std::vector<std::byte>;
 
 std::string error_of(const std::function<Bytes()>& work, const ProcessLimits& limits = {}) {

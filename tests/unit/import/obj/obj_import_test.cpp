@@ -7,9 +7,9 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::string corners = "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1.5 3 0\nv 0 1 0\n";
 
 struct Imported {

@@ -7,10 +7,10 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::string grey = "void plastic grey 0 0 5 .5 .5 .5 0 0\n";
 const std::string triangle = " polygon tri 0 0 9 0 0 0 1 0 0 0 1 0\n";
 

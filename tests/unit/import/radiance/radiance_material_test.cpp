@@ -7,11 +7,11 @@
 namespace enfilade {
 namespace {
 
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 RadianceMaterial material(const std::string& text) {
   RadianceText words("m.rad", text);

@@ -7,9 +7,9 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 RadiancePrimitive shape(const std::string& type, std::vector<double> numbers) {
   RadiancePrimitive primitive;

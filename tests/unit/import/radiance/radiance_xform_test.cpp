@@ -6,8 +6,8 @@
 namespace enfilade {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const RadiancePlace place{"room.rad", 3};
 

@@ -33,7 +33,7 @@ std::string utf16(const std::string& text, bool mark) {
   return wide;
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// cos(gamma) (1 + 0.5 shape(C)) below, peak 1; the flux is pi where the shape has no mean.
 testing::Intensity leaning(double (*shape)(double)) {

@@ -14,7 +14,7 @@ using testing::IesParts;
 using testing::LdtParts;
 using testing::steps;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The one warning of a file whose flux must be `flux`.
 std::string warning_of(const std::string& text, const char* name, double flux) {

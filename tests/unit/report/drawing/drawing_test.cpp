@@ -6,7 +6,7 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A red square from (2, 1) to (4, 3) m on a map of 10 x 5 m, 10 pixels a metre, at (20, 30).
 Drawing square() {

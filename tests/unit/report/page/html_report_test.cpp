@@ -16,8 +16,8 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 RunPage page(const std::string& name, int ranks) {
   RunPage p;

@@ -6,8 +6,8 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// One rank computes for 3 s and reads for 1 s; the other waits for 4 s.
 std::vector<RankProfile> two_ranks() {

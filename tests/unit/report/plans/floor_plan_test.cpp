@@ -10,8 +10,8 @@
 namespace enfilade {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Clusters of two rooms: room 0, lamp 0, room 1, lamp 1, shell.
 const std::vector<Rank> owner{Rank{1}, Rank{0}, Rank{2}, Rank{2}, Rank{3}};
@@ -22,7 +22,7 @@ std::string svg_of(const test::LitRooms& rooms, const PlanSubject& subject) {
 
 TEST(FloorPlan, SaysItsStoreyAndItsHeight) {
   const test::LitRooms rooms(2);
-  const Building building = rooms.solved().building();
+  const PlannedBuilding building = rooms.solved().building();
   const auto plans = floor_plans(building, cells_subject(building));
   ASSERT_EQ(plans.size(), 1u);
   EXPECT_EQ(plans[0].title, "Storey 1: floor at 0.00 m, cut at 1.20 m");
@@ -31,7 +31,7 @@ TEST(FloorPlan, SaysItsStoreyAndItsHeight) {
 
 TEST(FloorPlan, CellsHaveColoursAndNumbers) {
   const test::LitRooms rooms(2);
-  const Building building = rooms.solved().building();
+  const PlannedBuilding building = rooms.solved().building();
   const PlanSubject subject = cells_subject(building);
   EXPECT_NE(subject.cells[0], subject.cells[1]);
   const std::string svg = svg_of(rooms, subject);
@@ -68,7 +68,7 @@ TEST(FloorPlan, AssignedClustersHaveTheColourOfTheirRank) {
 
 TEST(FloorPlan, TheVisibleSetStandsOut) {
   const test::LitRooms rooms(2);
-  const Building building = rooms.solved().building();
+  const PlannedBuilding building = rooms.solved().building();
   const ClusterGraph joined(5, {{0, 1}, {2, 3}, {0, 2}});
   const VisibleSet both = visible_set(building.cells, building.clusters, joined, CellId(1));
   EXPECT_THAT(both.cells, testing::ElementsAre(1, 1)) << "by the clusters 0 and 2";

@@ -10,10 +10,10 @@
 namespace enfilade {
 namespace {
 
-CellComplex build(const plan::Plan& plan) { return build_cells(plan.pieces(), {}); }
+CellComplex build_marked(const plan::Plan& plan) { return build_cells(plan.pieces(), {}); }
 
 TEST(PlanMarks, ADoorIsALineAcrossItsOpening) {
-  const auto marks = portal_marks(build(plan::two_rooms()), {{0.0, 2.5}, 1.2}, 0.1);
+  const auto marks = portal_marks(build_marked(plan::two_rooms()), {{0.0, 2.5}, 1.2}, 0.1);
   ASSERT_EQ(marks.size(), 1u);
   EXPECT_EQ(marks[0].side, PortalSide::room);
   EXPECT_EQ(marks[0].view, PortalView::cut);
@@ -25,7 +25,7 @@ TEST(PlanMarks, ADoorIsALineAcrossItsOpening) {
 }
 
 TEST(PlanMarks, ADoorBelowTheCutIsDashedAndOneOfAnotherStoreyIsLeftOut) {
-  const CellComplex complex = build(plan::two_rooms());
+  const CellComplex complex = build_marked(plan::two_rooms());
   const auto marks = portal_marks(complex, {{0.0, 2.5}, 2.2}, 0.1);
   ASSERT_EQ(marks.size(), 1u);
   EXPECT_EQ(marks[0].view, PortalView::beyond);
@@ -37,7 +37,7 @@ TEST(PlanMarks, ADoorBelowTheCutIsDashedAndOneOfAnotherStoreyIsLeftOut) {
 }
 
 TEST(PlanMarks, AStairOpeningIsHatchedInBothStoreys) {
-  const CellComplex complex = build(plan::two_storeys());
+  const CellComplex complex = build_marked(plan::two_storeys());
   for (const PlanCut& cut : {PlanCut{{0.0, 2.5}, 1.2}, PlanCut{{2.8, 3.0}, 4.0}}) {
     Box box;
     std::size_t lines = 0;

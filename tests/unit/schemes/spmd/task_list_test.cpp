@@ -8,7 +8,7 @@
 namespace enfilade {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 /// A chain of clusters: each sees the one before and the one after.
 ClusterGraph chain(std::uint32_t n) {

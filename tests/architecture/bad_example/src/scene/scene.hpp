@@ -1,1 +1,3 @@
 #include "scene/surface.hpp"
+
+struct Surface {};

@@ -1,1 +1,5 @@
 #include "scene/scene.hpp"
+
+struct Surface {
+  int band;
+};

@@ -10,7 +10,7 @@
 namespace enfilade {
 
 /// Refers to its parts, which must outlive it.
-struct Building {
+struct PlannedBuilding {
   const CellComplex& cells;
   std::span<const Cluster> clusters;
   const Occluders& occluders;  ///< made of `clusters`
