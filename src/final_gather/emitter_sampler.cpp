@@ -40,6 +40,7 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
   const double limit = bright_ratio * mean_radiosity_over(clusters);
   for (const ClusterState& c : clusters) {
     const PatchForest& f = c.patches();
+    OtherGroup group{others_.size(), others_.size(), {}};
     for (std::uint32_t k = 0; k < f.polygons(); ++k) {
       const double largest = largest_radiosity(f, k);
       if (largest <= 0.0) continue;
@@ -53,7 +54,12 @@ EmitterSampler::EmitterSampler(std::span<const ClusterState> clusters, const Occ
         const Vec3 d = corner - added.center();
         added.size2 = std::max(added.size2, glm::dot(d, d));
       }
+      if (is_bright_[number]) continue;
+      for (const Vec3& corner : added.corners) group.box.add(corner);
+      group.power += largest * added.shape().area_m2;
     }
+    group.end = others_.size();
+    if (group.end > group.begin) groups_.push_back(group);
   }
 }
 
@@ -189,6 +195,36 @@ std::vector<std::uint32_t> EmitterSampler::noisy_polygons(const Survey& survey, 
   return polygons;
 }
 
+/// Adds the polygons that would give more than `least_share` of all light if nothing hid any, of
+/// which `bright` comes from the bright emitters. No polygon gives more than its cluster's power
+/// over pi and the squared distance of the cluster's box: those that are far away for their power
+/// are not looked into.
+void EmitterSampler::add_large_others(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                      double bright, double least_share,
+                                      std::vector<std::uint32_t>& polygons) const {
+  std::vector<std::pair<double, const OtherGroup*>> groups;
+  for (const OtherGroup& group : groups_) {
+    const double r_m = gap_m(group.box, {p, p});
+    groups.emplace_back(group.power / (std::numbers::pi * r_m * r_m), &group);
+  }
+  std::sort(groups.begin(), groups.end(),
+            [](const auto& a, const auto& b) { return a.first > b.first; });
+  double total = bright;
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (const auto& [most, group] : groups) {
+    if (most <= least_share * total) break;
+    const auto of_group = std::span(others_).subspan(group->begin, group->end - group->begin);
+    const std::vector<double> weight = unoccluded(of_group, p, n, own);
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      total += weight[i];
+      if (weight[i] > 0.0) found.emplace_back(weight[i], of_group[i].polygon);
+    }
+  }
+  for (const auto& [weight, polygon] : found) {
+    if (weight > least_share * total) polygons.push_back(polygon);
+  }
+}
+
 /// Of the polygons that are not bright: by the survey, and by what they would give if nothing hid
 /// them, since the survey may miss one that is seen at a low angle. `bright`: of the bright
 /// emitters.
@@ -199,11 +235,7 @@ void EmitterSampler::control_others(const Vec3& p, const Vec3& n, std::uint32_t 
   const Spectrum means = survey.mean(control, control.ambient.size());
   const double mean = means.empty() ? 0.0 : *std::max_element(means.begin(), means.end());
   std::vector<std::uint32_t> polygons = noisy_polygons(survey, mean, most_square);
-  const std::vector<double> weight = unoccluded(others_, p, n, own);
-  const double total = std::accumulate(weight.begin(), weight.end(), bright);
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (weight[i] > least_share * total) polygons.push_back(others_[i].polygon);
-  }
+  add_large_others(p, n, own, bright, least_share, polygons);
   std::sort(polygons.begin(), polygons.end());
   polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
   VisibleNodes visible(*occluders_);

@@ -83,8 +83,17 @@ class EmitterSampler {
   std::span<const Emitter> bright() const { return bright_; }
 
  private:
+  /// The other polygons of a cluster.
+  struct OtherGroup {
+    std::size_t begin, end;  ///< of others_
+    Box box;
+    double power = 0.0;  ///< sum of radiosity (largest band) times area
+  };
+
   static std::vector<double> unoccluded(std::span<const Emitter> polygons, const Vec3& p,
                                         const Vec3& n, std::uint32_t own);
+  void add_large_others(const Vec3& p, const Vec3& n, std::uint32_t own, double bright,
+                        double least_share, std::vector<std::uint32_t>& polygons) const;
   double control_bright(const Vec3& p, const Vec3& n, std::uint32_t own, double known, double least,
                         Random& random, ControlVariate& control, Spectrum& variance) const;
   void control_others(const Vec3& p, const Vec3& n, std::uint32_t own, const Survey& survey,
@@ -96,6 +105,7 @@ class EmitterSampler {
   std::span<const ClusterState> clusters_;
   const Occluders* occluders_;
   std::vector<Emitter> bright_, others_;  ///< others_: all else that gives light
+  std::vector<OtherGroup> groups_;        ///< of others_
   std::vector<bool> is_bright_;           // by global number
 };
 

@@ -14,7 +14,7 @@
 namespace enfilade {
 
 struct PointGatherConfig {
-  int rays = 4096;  ///< in a set, over the hemisphere
+  int rays = 512;  ///< in a set, over the hemisphere
   /// A point gets further sets of rays, up to 16, while their noise (standard error) is above this
   /// share of its light and above 2e-5 of the mean irradiance; by default up to twice as much,
   /// where a quarter of the reflected light's error is more. 0 = one set.

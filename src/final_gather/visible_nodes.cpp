@@ -23,6 +23,8 @@ constexpr int most_cuts = 10;  ///< of a visible part
 constexpr int most_part_cuts = 24, rays_of_part = 8;
 /// More polygons than these are looked for anew before each part.
 constexpr std::size_t most_listed = 4096;
+/// So many of the polygons on the way to the middle of a part are tried whether one hides it all.
+constexpr int most_tried = 6;
 /// Share of that error below which a part is taken as a whole, without extrapolation.
 constexpr double negligible_node = 1e-3;
 
@@ -60,12 +62,32 @@ struct VisibleNodes::Whole {
   std::optional<double> ambient;  ///< none: all nodes, or a failure
 };
 
+/// True where one polygon certainly hides all of `corners_` from p: of those that a ray to the
+/// middle meets, nearest first. A wall hides most of a building, with all that stands around in it.
+bool VisibleNodes::is_shut(const Vec3& p, std::uint32_t own, std::uint32_t polygon) const {
+  const Vec3 way = centroid(corners_) - p;
+  const double length_m = glm::length(way), step_m = 2.0 * occluders_->rays().epsilon_m();
+  if (length_m <= step_m) return false;
+  const Vec3 direction = way / length_m;
+  double gone_m = 0.0;
+  for (int i = 0; i < most_tried; ++i) {
+    const RayHit hit = occluders_->rays().closest(p + gone_m * direction, direction, own,
+                                                  length_m - gone_m, RayStart::in_air);
+    if (!hit.any() || hit.polygon == polygon) return false;
+    if (occluders_->shaft_shut({p}, corners_, hit.polygon)) return true;
+    gone_m += hit.distance_m + step_m;
+    if (gone_m >= length_m) return false;
+  }
+  return false;
+}
+
 bool VisibleNodes::find(const Vec3& p, const Vec3& n, std::uint32_t own, ClusterId shooter,
                         const PatchForest& forest, std::uint32_t polygon, double least,
                         std::vector<VisibleNode>& found) {
   found.clear();
   corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
   const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, {}};
+  if (is_shut(p, own, whole.polygon)) return true;
   std::vector<std::uint32_t> between;
   occluders_->panes_between({p}, corners_, own, whole.polygon, panes_);
   if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_occluders, between) ||
@@ -84,6 +106,7 @@ bool VisibleNodes::find_some(const Vec3& p, const Vec3& n, std::uint32_t own, Cl
   found.clear();
   corners_ = corners_of(forest.frames()[polygon], forest.node(polygon).shape);
   const Whole whole{p, n, own, occluders_->global(shooter, polygon), forest, least, ambient};
+  if (is_shut(p, own, whole.polygon)) return false;
   std::vector<std::uint32_t> between;
   occluders_->panes_between({p}, corners_, own, whole.polygon, panes_);
   if (!occluders_->find_between({p}, corners_, own, whole.polygon, most_for_nodes, between))
@@ -104,6 +127,7 @@ bool VisibleNodes::find_below(const Whole& whole, std::size_t node,
   const double factor = point_to_polygon(whole.p, whole.n, corners_);
   if (factor <= 0.0) return true;
   const bool too_many = between.size() > most_occluders;
+  if (too_many && is_shut(whole.p, whole.own, whole.polygon)) return true;
   double at_stake = forest.deviation(node);
   if (too_many && whole.ambient)
     at_stake = std::max(at_stake, std::abs(largest_radiosity(forest, node) - *whole.ambient));
@@ -200,7 +224,7 @@ void VisibleNodes::find_in_part(const PatchShape& shape, std::span<const std::ui
                                 int depth, ByParts& by) {
   corners_ = corners_of(by.frame(), shape);
   const double factor = point_to_polygon(by.p, by.n, corners_);
-  if (factor <= 0.0) return;
+  if (factor <= 0.0 || is_shut(by.p, by.own, by.polygon)) return;
   std::vector<std::uint32_t> between;
   bool known = true;
   if (among.empty()) {

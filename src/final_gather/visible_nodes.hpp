@@ -74,6 +74,7 @@ class VisibleNodes {
   struct Whole;
   bool find_below(const Whole& whole, std::size_t node, std::span<const std::uint32_t> between,
                   std::vector<VisibleNode>& found);
+  bool is_shut(const Vec3& p, std::uint32_t own, std::uint32_t polygon) const;
   bool hide_all(const Vec3& p, std::span<const std::uint32_t> occluders);
   void add_visible_parts(const Vec3& p, const Vec3& n, const PatchForest& forest, double least,
                          VisibleNode& sum, TintSum& tint);

@@ -9,6 +9,7 @@
 
 #include "geometry/polygon.hpp"
 #include "unit/gather/box_room.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade::testing {
 
@@ -25,8 +26,7 @@ struct KnownFactor {
 };
 
 inline std::vector<KnownFactor> known_factors() {
-  const std::string file =
-      std::string(ENFILADE_SOURCE_DIR) + "/tests/accuracy/form_factors/form_factors.json";
+  const std::string file = source_file("tests/accuracy/form_factors/form_factors.json");
   std::ifstream in(file);
   if (!in) throw std::runtime_error(file + ": is not there");
   const auto point = [](const nlohmann::json& p) { return Vec3(p[0], p[1], p[2]); };

@@ -95,6 +95,55 @@ TEST(VisibleNodes, HaveTheFirstMomentOfTheirFactor) {
   }
 }
 
+/// The lamp behind thirty narrow slats, none of which hides it all, and perhaps a wall.
+testing::Solved lamp_behind_slats(bool walled) {
+  Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.6}, {0.0});
+  const auto add = [&scene](double x, double y0, double y1, double z0, double z1) {
+    Surface sheet;
+    sheet.vertices = {{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}};
+    sheet.reflectance = {0.5};
+    sheet.exitance = {0.0};
+    scene.surfaces.push_back(sheet);
+  };
+  add(0.2, 0.1, 0.3, 2.7, 2.9);
+  scene.surfaces.back().exitance = {500.0};
+  for (int i = 0; i < 30; ++i) {
+    const double x = 2.2 + 0.02 * i, z = 2.8 * (3.5 - x) / 3.3;
+    add(x, 0.2, 0.6, z + 0.005, z + 0.015);  // above the middle
+  }
+  if (walled) add(1.0, 0.01, 3.99, 0.01, 2.99);
+  return testing::Solved(scene, Basis::linear, 1e-3);
+}
+
+TEST(VisibleNodes, AWallHidesAllWhateverStandsBeforeIt) {
+  const Vec3 above_floor = point + 1e-3 * up;
+  for (const bool walled : {false, true}) {
+    const testing::Solved solved = lamp_behind_slats(walled);
+    const auto lamp = std::ranges::find_if(solved.states, [](const ClusterState& state) {
+      return state.patches().frames()[0].exitance[0] > 0.0;
+    });
+    ASSERT_NE(lamp, solved.states.end());
+    const PatchForest& forest = lamp->patches();
+    VisibleNodes visible(solved.occluders);
+    std::vector<VisibleNode> nodes;
+    // Slats alone are too many to be cut out.
+    EXPECT_EQ(
+        visible.find(above_floor, up, RayScene::no_polygon, lamp->id(), forest, 0, 0.0, nodes),
+        walled);
+    EXPECT_TRUE(nodes.empty());
+    VisibleNode part;
+    Random random(1);
+    const double variance = visible.find_by_parts(above_floor, up, RayScene::no_polygon, lamp->id(),
+                                                  forest, 0, 0.0, 1e-4, random, part);
+    if (walled) {
+      EXPECT_EQ(part.factor, 0.0);
+      EXPECT_EQ(variance, 0.0);
+    } else {
+      EXPECT_GT(part.factor, 0.0);
+    }
+  }
+}
+
 TEST(VisibleNodes, CoverThePolygon) {
   const testing::Solved solved = lit_corner();
   const PatchForest& forest = solved.states[wall].patches();

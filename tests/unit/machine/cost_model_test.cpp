@@ -7,11 +7,12 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
 
-const std::string shipped = ENFILADE_SOURCE_DIR "/platforms/cost_model.json";
+const std::string shipped = source_file("platforms/cost_model.json");
 
 std::string text_of_shipped() {
   std::ifstream in(shipped);

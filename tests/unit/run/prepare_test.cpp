@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 #include "scene_file/scene_io.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -17,8 +18,7 @@ TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
   const std::string run = testing::TempDir() + "/enfilade-prepare-test";
   std::filesystem::remove_all(run);
   Warnings warnings;
-  const Scene scene =
-      read_scene(std::string(ENFILADE_TEST_DATA) + "/scene/thin_gap.json", warnings);
+  const Scene scene = read_scene(source_file("tests/data/scene/thin_gap.json"), warnings);
   PrepareConfig config;
   EXPECT_FALSE(is_prepared(run, scene.hash, config));
   prepare(scene, run, config, warnings);
@@ -38,7 +38,7 @@ TEST(Prepare, AnotherSceneOrOtherOptionsAreNotPrepared) {
 TEST(Prepare, TheSceneThatWasReadIsTheOneThatIsKept) {
   const std::string run = testing::TempDir() + "/enfilade-prepare-keeps", file = run + ".json";
   std::filesystem::remove_all(run);
-  std::filesystem::copy_file(std::string(ENFILADE_TEST_DATA) + "/scene/slivers.json", file,
+  std::filesystem::copy_file(source_file("tests/data/scene/slivers.json"), file,
                              std::filesystem::copy_options::overwrite_existing);
   Warnings warnings, again;
   const Scene scene = read_scene(file, warnings);
@@ -59,8 +59,7 @@ TEST(Prepare, TheGraphComesBackAndADamagedOneIsRefused) {
   const std::string run = testing::TempDir() + "/enfilade-prepare-graph";
   std::filesystem::remove_all(run);
   Warnings warnings;
-  const Scene scene =
-      read_scene(std::string(ENFILADE_TEST_DATA) + "/scene/thin_gap.json", warnings);
+  const Scene scene = read_scene(source_file("tests/data/scene/thin_gap.json"), warnings);
   const Prepared made = prepare(scene, run, {}, warnings);
   ASSERT_GT(made.graph.edges(), 0u);
   const Prepared loaded = load_prepared(run);

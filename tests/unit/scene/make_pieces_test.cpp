@@ -4,6 +4,7 @@
 
 #include "base/random.hpp"
 #include "unit/scene/test_scenes.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -301,7 +302,7 @@ TEST(MakePieces, TwoSidedSurfaceHasPiecesBothWays) {
 }
 
 TEST(MakePieces, ShippedScenesAreCleanAndTheRealHouseIsBorne) {
-  const std::string folder = std::string(ENFILADE_SOURCE_DIR) + "/scenes/";
+  const std::string folder = source_file("scenes/");
   for (const char* file : {"box.json", "two_rooms.json", "furnace.json"}) {
     Warnings warnings;
     const Made made = make(read_scene(folder + file, warnings));

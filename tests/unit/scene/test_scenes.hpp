@@ -10,11 +10,12 @@
 
 #include "base/error.hpp"
 #include "scene_file/scene_io.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 
 inline std::string test_data(const std::string& name) {
-  return std::string(ENFILADE_TEST_DATA) + "/scene/" + name;
+  return source_file("tests/data/scene/" + name);
 }
 
 /// A folder in the test's temporary directory (tests/unit/main.cpp), gone afterwards.

@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "unit/scene/test_scenes.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -239,8 +240,7 @@ TEST_F(SceneReader, EveryTruncationOfASceneIsOneClearError) {
 
 TEST_F(SceneReader, ARealBuildingIsReadFast) {
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene =
-      read_scene(std::string(ENFILADE_SOURCE_DIR) + "/scenes/duplex.json", warnings_);
+  const Scene scene = read_scene(source_file("scenes/duplex.json"), warnings_);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   EXPECT_EQ(scene.surfaces.size(), 9411u);
   EXPECT_EQ(scene.unit, ExitanceUnit::lumen_per_m2);

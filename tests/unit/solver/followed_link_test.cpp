@@ -11,6 +11,7 @@
 #include "geometry/form_factor.hpp"
 #include "scene_file/scene_io.hpp"
 #include "solver/sequential_solver.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -18,13 +19,12 @@ namespace {
 class FollowedLink : public testing::Test {
  protected:
   void SetUp() override {
-    const std::string source = ENFILADE_SOURCE_DIR;
-    std::ifstream page(source + "/src/FOLLOW_A_LINK.md");
+    std::ifstream page(source_file("src/FOLLOW_A_LINK.md"));
     page_.assign(std::istreambuf_iterator<char>(page), {});
     Warnings warnings;
     std::vector<Leak> leaks;
     prepared_ =
-        prepare_scene(read_scene(source + "/scenes/box.json", warnings), {}, warnings, leaks);
+        prepare_scene(read_scene(source_file("scenes/box.json"), warnings), {}, warnings, leaks);
     occluders_ = std::make_unique<Occluders>(prepared_.clusters);
     solution_ = solve_sequentially(prepared_, *occluders_, {});
     find("floor", floor_, floor_polygon_);

@@ -7,6 +7,7 @@
 #include "scene_file/scene_io.hpp"
 #include "unit/cells/rooms/plan_scenes.hpp"
 #include "unit/cells/rooms/room_score.hpp"
+#include "unit/source_files.hpp"
 
 namespace enfilade {
 namespace {
@@ -89,7 +90,7 @@ TEST(Stairwells, AFlightOfStairsIsACellBetweenTwoStoreys) {
 }
 
 TEST(RealHouse, EveryRoomAndDoorOfTheDuplexIsFound) {
-  const std::string file = ENFILADE_SOURCE_DIR "/scenes/duplex.json";
+  const std::string file = source_file("scenes/duplex.json");
   const KnownBuilding building = read_known_building(file);
   ASSERT_EQ(building.rooms.size(), 21u);
   ASSERT_EQ(building.doors.size(), 14u);
