@@ -70,13 +70,12 @@ bool VisibleNodes::is_shut(const Vec3& p, std::uint32_t own, std::uint32_t polyg
   if (length_m <= step_m) return false;
   const Vec3 direction = way / length_m;
   double gone_m = 0.0;
-  for (int i = 0; i < most_tried; ++i) {
+  for (int i = 0; i < most_tried && gone_m < length_m; ++i) {
     const RayHit hit = occluders_->rays().closest(p + gone_m * direction, direction, own,
                                                   length_m - gone_m, RayStart::in_air);
     if (!hit.any() || hit.polygon == polygon) return false;
     if (occluders_->shaft_shut({p}, corners_, hit.polygon)) return true;
     gone_m += hit.distance_m + step_m;
-    if (gone_m >= length_m) return false;
   }
   return false;
 }
@@ -227,11 +226,10 @@ void VisibleNodes::find_in_part(const PatchShape& shape, std::span<const std::ui
   if (factor <= 0.0 || is_shut(by.p, by.own, by.polygon)) return;
   std::vector<std::uint32_t> between;
   bool known = true;
-  if (among.empty()) {
+  if (among.empty())
     known = occluders_->find_between({by.p}, corners_, by.own, by.polygon, most_listed, between);
-  } else {
+  else
     occluders_->find_among(among, {by.p}, corners_, by.own, by.polygon, between);
-  }
   if (known && between.size() <= most_occluders && hide_all(by.p, between))
     return add_visible_parts(by.p, by.n, by.forest, by.least, by.sum, by.tint);
   if (factor <= by.least_factor || depth >= most_part_cuts)
