@@ -93,12 +93,18 @@ std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, doubl
   Polygon inside = a;
   const std::vector<Plane> planes = border_of(b);
   if (planes.size() < 3) return {a};
+  const Box box = bounds(a);
+  const double reach = 0.5 * box.diagonal() + tolerance;
   for (const Plane& plane : planes) {
+    // Where `b` has many edges, `a` lies behind most of them.
+    if (plane.signed_distance(box.center()) < -reach) continue;
     // An edge of `a` that lies in the plane up to tolerance must stay inside: only what sticks out
     // is cut.
-    auto [outside, rest] = split(inside, plane, tolerance);
-    if (rest.empty()) return {a};
-    if (!outside.empty()) left.push_back(std::move(outside));
+    const SnappedDistances distance = snapped_distances(inside, plane, tolerance);
+    if (!distance.any_behind) return {a};
+    if (!distance.any_front) continue;
+    Polygon rest;
+    cut(inside, distance, rest, &left.emplace_back());
     inside = std::move(rest);
   }
   return left;
@@ -109,7 +115,7 @@ Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance)
   const std::vector<Plane> planes = border_of(b);
   if (planes.size() < 3) return {};
   for (const Plane& plane : planes) {
-    inside = split(inside, plane, tolerance).second;
+    clip_behind(inside, plane, tolerance);
     if (inside.empty()) break;
   }
   return inside;

@@ -150,7 +150,12 @@ class Covers {
 
   void take_away(std::vector<Polygon>& parts, const Polygon& cover) const {
     std::vector<Polygon> next;
-    for (const Polygon& part : parts) {
+    const Box box = bounds(cover);
+    for (Polygon& part : parts) {
+      if (!bounds(part).overlaps(box, scale_.cut())) {
+        next.push_back(std::move(part));
+        continue;
+      }
       for (Polygon& left : subtract_coplanar(part, cover, scale_.cut()))
         next.push_back(std::move(left));
     }
