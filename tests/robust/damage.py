@@ -165,7 +165,7 @@ class Commands:
             solved = out / "relit" if name == "relight" else directory
             return (solved / "probes.json").read_bytes(), (solved / "surfaces.csv").read_bytes()
         if name == "further shares":
-            return [(p, (directory / p).read_bytes()) for p in files_of(directory) if p.parts[0] == "shares"]
+            return [(p, (directory / p).read_bytes()) for p in files_of(directory) if ".shares-" in p.name]
         if name == "replay":
             stats = json.loads((out / "replayed/stats.json").read_text())
             return [stats[key] for key in ("simulated_s", "compute_s", "io_s", "bytes_read", "messages")]

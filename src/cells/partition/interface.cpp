@@ -41,7 +41,7 @@ bool is_sliver(const Polygon& polygon, double sliver_m) {
 }
 
 // Openings with their boxes: each of many covers meets few of many openings.
-struct Opening {
+struct OpenPart {
   Polygon polygon;
   Box box;
 };
@@ -50,15 +50,15 @@ struct Opening {
 double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
              double sliver_m) {
   const double before = total_area_m2(openings);
-  std::vector<Opening> left;
+  std::vector<OpenPart> left;
   for (Polygon& opening : openings) {
     const Box box = bounds(opening);
     left.push_back({std::move(opening), box});
   }
   for (const InPlane* in_plane : covers) {
     if (in_plane->same_facing != facing) continue;
-    std::vector<Opening> next;
-    for (Opening& opening : left) {
+    std::vector<OpenPart> next;
+    for (OpenPart& opening : left) {
       if (!opening.box.overlaps(in_plane->box, sliver_m)) {
         next.push_back(std::move(opening));
         continue;
@@ -72,7 +72,7 @@ double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& 
     left = std::move(next);
   }
   openings.clear();
-  for (Opening& opening : left) openings.push_back(std::move(opening.polygon));
+  for (OpenPart& opening : left) openings.push_back(std::move(opening.polygon));
   return before - total_area_m2(openings);
 }
 

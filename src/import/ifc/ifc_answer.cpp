@@ -109,7 +109,7 @@ class AnswerReader {
   }
 
   [[noreturn]] void refuse(const Json& answer) const {
-    const std::string fault = answer["fault"];
+    const std::string fault = answer.at("fault");
     if (fault == "malformed") {
       throw InputError(
           scene_.file, "line " + answer.at("line").dump(),
@@ -178,10 +178,10 @@ class AnswerReader {
       passing = 1.0 - std::clamp(colour.at(3).get<double>(), 0.0, 1.0);
     }
     if (element.contains("reflectance"))
-      material.reflectance.assign(3, std::clamp(element["reflectance"].get<double>(), 0.0, 0.95));
+      material.reflectance.assign(3, std::clamp(element.at("reflectance").get<double>(), 0.0, 0.95));
     const bool told = element.contains("transmittance");
     if (told && (passing > 0.0 || colour.is_null()))
-      passing = std::clamp(element["transmittance"].get<double>(), 0.0, 1.0);
+      passing = std::clamp(element.at("transmittance").get<double>(), 0.0, 1.0);
     // Light passes two faces of a body of glass.
     if (passing > 0.0) {
       material.transmittance.assign(3, std::sqrt(passing));
@@ -214,8 +214,8 @@ class AnswerReader {
     BuildingLuminaire lamp{entry.at("name"), entry.at("type"),
                            options_.scale * point_of(entry.at("p")), entry.at("flux_lm")};
     if (entry.contains("aim")) {
-      lamp.aim = point_of(entry["aim"]);
-      lamp.up = point_of(entry["up"]);
+      lamp.aim = point_of(entry.at("aim"));
+      lamp.up = point_of(entry.at("up"));
     }
     if (lamp.flux_lm <= 0.0) {
       warnings_.add("lamp " + in_quotes(lamp.name), "tells no luminous flux: it stays dark");
