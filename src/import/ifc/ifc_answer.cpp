@@ -178,7 +178,8 @@ class AnswerReader {
       passing = 1.0 - std::clamp(colour.at(3).get<double>(), 0.0, 1.0);
     }
     if (element.contains("reflectance"))
-      material.reflectance.assign(3, std::clamp(element.at("reflectance").get<double>(), 0.0, 0.95));
+      material.reflectance.assign(3,
+                                  std::clamp(element.at("reflectance").get<double>(), 0.0, 0.95));
     const bool told = element.contains("transmittance");
     if (told && (passing > 0.0 || colour.is_null()))
       passing = std::clamp(element.at("transmittance").get<double>(), 0.0, 1.0);
