@@ -59,8 +59,8 @@ struct RayScene::Impl {
     void release() const {
       if (scene != nullptr) rtcReleaseScene(scene);
     }
-    void build(RTCDevice device, std::span<const Polygon> polygons,
-               const std::vector<std::uint32_t>& members, const Vec3& center,
+    void build(RTCDevice embree, std::span<const Polygon> polygons,
+               const std::vector<std::uint32_t>& members, const Vec3& origin,
                RTCFilterFunctionN met);
   };
 
@@ -106,19 +106,19 @@ struct RayScene::Impl {
                  double far_m) const;
 };
 
-void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
-                                 const std::vector<std::uint32_t>& members, const Vec3& center,
+void RayScene::Impl::Mesh::build(RTCDevice embree, std::span<const Polygon> polygons,
+                                 const std::vector<std::uint32_t>& members, const Vec3& origin,
                                  RTCFilterFunctionN met) {
   std::size_t vertices = 0, triangles = 0;
   for (const std::uint32_t k : members) {
     vertices += polygons[k].size();
     triangles += polygons[k].size() >= 3 ? polygons[k].size() - 2 : 0;
   }
-  scene = rtcNewScene(device);
+  scene = rtcNewScene(embree);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   polygon_of_triangle.reserve(triangles);
-  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry mesh = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_TRIANGLE);
   if (triangles > 0) {
     auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
@@ -129,7 +129,7 @@ void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> poly
     std::uint32_t first = 0;
     for (const std::uint32_t k : members) {
       for (const Vec3& v : polygons[k]) {
-        const Vec3 q = v - center;
+        const Vec3 q = v - origin;
         *xyz++ = static_cast<float>(q.x);
         *xyz++ = static_cast<float>(q.y);
         *xyz++ = static_cast<float>(q.z);
@@ -150,7 +150,7 @@ void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> poly
   rtcAttachGeometry(scene, mesh);
   rtcReleaseGeometry(mesh);
   rtcCommitScene(scene);
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+  if (rtcGetDeviceError(embree) != RTC_ERROR_NONE)
     throw RunError("Embree: cannot build its tree of the polygons; use a larger machine");
 }
 
