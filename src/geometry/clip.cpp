@@ -58,7 +58,7 @@ std::vector<Plane> border_of(const Polygon& polygon) {
 /// come first: cut one after the other, each would leave a sliver that reaches from it to the far
 /// side, and all of these would lie in each other's boxes.
 std::vector<std::size_t> cutting_order(std::size_t edges) {
-  constexpr std::size_t few_edges = 16;
+  constexpr std::size_t few_edges = 64;
   std::vector<std::size_t> order;
   if (edges <= few_edges) {
     for (std::size_t i = 0; i < edges; ++i) order.push_back(i);
@@ -134,8 +134,12 @@ Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance)
   const std::vector<Plane> planes = border_of(b);
   if (planes.size() < 3) return {};
   for (const Plane& plane : planes) {
-    clip_behind(inside, plane, tolerance);
-    if (inside.empty()) break;
+    const SnappedDistances distance = snapped_distances(inside, plane, tolerance);
+    if (!distance.any_behind) return {};
+    if (!distance.any_front) continue;
+    Polygon rest;
+    cut(inside, distance, rest, nullptr);
+    inside = std::move(rest);
   }
   return inside;
 }

@@ -151,8 +151,10 @@ class Covers {
   void take_away(std::vector<Polygon>& parts, const Polygon& cover) const {
     std::vector<Polygon> next;
     const Box box = bounds(cover);
+    // Beside the cover by more than both tolerances; they may lie so far from one plane, too.
+    const double margin = 2.0 * (scale_.coplanar() + scale_.cut());
     for (Polygon& part : parts) {
-      if (!bounds(part).overlaps(box, scale_.cut())) {
+      if (!bounds(part).overlaps(box, margin)) {
         next.push_back(std::move(part));
         continue;
       }
