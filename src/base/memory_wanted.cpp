@@ -41,6 +41,8 @@ MemoryPurpose::MemoryPurpose(const char* purpose) : before_(purpose_now) { purpo
 MemoryPurpose::~MemoryPurpose() { purpose_now = before_; }
 
 RefusedMemory refused_memory() { return refused; }
+void take_over(const RefusedMemory& refusal) { refused = refusal; }
+const char* memory_purpose() { return purpose_now; }
 
 /// No machine has more for one request.
 constexpr std::size_t most_bytes = std::size_t{1} << 40;

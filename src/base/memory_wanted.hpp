@@ -26,5 +26,9 @@ struct RefusedMemory {
   std::array<char, 256> purpose{};  ///< ends with 0; its own text is gone by the time it is told
 };
 RefusedMemory refused_memory();
+/// Takes over the refusal of another thread, whose error is thrown on in this one.
+void take_over(const RefusedMemory& refusal);
+/// What this thread wants memory for now: of its innermost MemoryPurpose; empty for none.
+const char* memory_purpose();
 
 }  // namespace enfilade

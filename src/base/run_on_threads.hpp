@@ -11,8 +11,9 @@ namespace enfilade {
 
 /// Calls `work(true)` on this thread and `work(false)` on up to `threads` - 1 others, and returns
 /// when all are done. Throws the first error that one of them threw; the others are then done as
-/// well. `work` divides itself, as by an atomic counter. Where the system gives fewer threads,
-/// fewer do the work.
+/// well, and where memory was refused there, refused_memory() of this thread tells of it. `work`
+/// divides itself, as by an atomic counter. Where the system gives fewer threads, fewer do the
+/// work. All want memory for what this thread wants it for (memory_wanted.hpp).
 void run_on_threads(int threads, const std::function<void(bool first)>& work);
 
 /// Calls `work(i)` for each i < count, on all cores that there are (usable_cores.hpp), in no

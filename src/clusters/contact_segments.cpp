@@ -21,6 +21,15 @@ std::optional<Segment> clip(Segment s, const std::vector<Plane>& planes, double 
   return s;
 }
 
+/// True where a plane through an edge of a polygon has the other polygon in front of it: then no
+/// segment of the other is inside.
+bool parted(const Polygon& other, const std::vector<Plane>& planes, double tolerance_m) {
+  return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+    return std::all_of(other.begin(), other.end(),
+                       [&](const Vec3& p) { return plane.signed_distance(p) >= -tolerance_m; });
+  });
+}
+
 bool same(const Segment& s, const Segment& t, double tolerance_m) {
   const auto close = [&](const Vec3& p, const Vec3& q) {
     return glm::length(p - q) <= tolerance_m;
@@ -87,12 +96,13 @@ ContactSegments::~ContactSegments() = default;
 std::vector<Segment> ContactSegments::inside(std::size_t i) const {
   const Polygon& polygon = *impl_->polygons[i];
   const Plane plane = plane_of(polygon);
+  const std::vector<Plane> planes = edge_planes(polygon, plane.n, 0.0);
   std::vector<Segment> all;
   for (const std::uint32_t j : impl_->tree.touching(impl_->boxes[i], impl_->tolerance_m)) {
-    if (j != i) impl_->add(*impl_->polygons[j], plane, all);
+    const Polygon& other = *impl_->polygons[j];
+    if (j != i && !parted(other, planes, impl_->tolerance_m)) impl_->add(other, plane, all);
   }
 
-  const std::vector<Plane> planes = edge_planes(polygon, plane.n, 0.0);
   std::vector<Segment> clipped;
   for (const Segment& s : all) {
     const auto part = clip(s, planes, impl_->tolerance_m, impl_->min_length_m);

@@ -54,8 +54,12 @@ IterationFigures figures_from(std::span<const double> maxima, std::span<const do
   NumberReader largest(maxima), summed(sums);
   for_each_number([&](const FigureName& figure, auto access) {
     auto& value = access(figures);
-    const double number = figure.fold == Fold::maximum ? largest.next() : summed.next();
-    value = static_cast<std::remove_reference_t<decltype(value)>>(number);
+    NumberReader& numbers = figure.fold == Fold::maximum ? largest : summed;
+    if constexpr (std::is_integral_v<std::remove_reference_t<decltype(value)>>) {
+      value = numbers.next_count();
+    } else {
+      value = numbers.next();
+    }
   });
   const std::size_t rest = summed.rest().size();
   const std::size_t bands = rest > RowSums::cells ? (rest - RowSums::cells) / count_spectra() : 0;

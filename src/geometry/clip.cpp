@@ -2,6 +2,7 @@
 #include "geometry/clip.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace enfilade {
@@ -53,6 +54,23 @@ std::vector<Plane> border_of(const Polygon& polygon) {
   return edge_planes(polygon, normal(polygon), 1e-12 * bounds(polygon).diagonal());
 }
 
+/// The order in which a border's edges are cut along. Of many edges those that halve what is left
+/// come first: cut one after the other, each would leave a sliver that reaches from it to the far
+/// side, and all of these would lie in each other's boxes.
+std::vector<std::size_t> cutting_order(std::size_t edges) {
+  constexpr std::size_t few_edges = 64;
+  std::vector<std::size_t> order;
+  if (edges <= few_edges) {
+    for (std::size_t i = 0; i < edges; ++i) order.push_back(i);
+    return order;
+  }
+  order.push_back(0);
+  for (std::size_t step = std::bit_ceil(edges) / 2; step > 0; step /= 2) {
+    for (std::size_t i = step; i < edges; i += 2 * step) order.push_back(i);
+  }
+  return order;
+}
+
 }  // namespace
 
 std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, double tolerance) {
@@ -93,12 +111,19 @@ std::vector<Polygon> subtract_coplanar(const Polygon& a, const Polygon& b, doubl
   Polygon inside = a;
   const std::vector<Plane> planes = border_of(b);
   if (planes.size() < 3) return {a};
-  for (const Plane& plane : planes) {
+  const Box box = bounds(a);
+  const double reach = 0.5 * box.diagonal() + tolerance;
+  for (const std::size_t edge : cutting_order(planes.size())) {
+    const Plane& plane = planes[edge];
+    // Where `b` has many edges, `a` lies behind most of them.
+    if (plane.signed_distance(box.center()) < -reach) continue;
     // An edge of `a` that lies in the plane up to tolerance must stay inside: only what sticks out
     // is cut.
-    auto [outside, rest] = split(inside, plane, tolerance);
-    if (rest.empty()) return {a};
-    if (!outside.empty()) left.push_back(std::move(outside));
+    const SnappedDistances distance = snapped_distances(inside, plane, tolerance);
+    if (!distance.any_behind) return {a};
+    if (!distance.any_front) continue;
+    Polygon rest;
+    cut(inside, distance, rest, &left.emplace_back());
     inside = std::move(rest);
   }
   return left;
@@ -109,8 +134,12 @@ Polygon intersect_coplanar(const Polygon& a, const Polygon& b, double tolerance)
   const std::vector<Plane> planes = border_of(b);
   if (planes.size() < 3) return {};
   for (const Plane& plane : planes) {
-    inside = split(inside, plane, tolerance).second;
-    if (inside.empty()) break;
+    const SnappedDistances distance = snapped_distances(inside, plane, tolerance);
+    if (!distance.any_behind) return {};
+    if (!distance.any_front) continue;
+    Polygon rest;
+    cut(inside, distance, rest, nullptr);
+    inside = std::move(rest);
   }
   return inside;
 }

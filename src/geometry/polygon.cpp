@@ -82,7 +82,28 @@ std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double sho
   return planes;
 }
 
+namespace {
+
+/// The same by halves: of the triangles from the first corner to each edge, the one on whose side
+/// the point lies is the only one that can hold it.
+bool contains_by_halves(const Polygon& polygon, const Vec3& n, const Vec3& p) {
+  const auto left_of = [&](std::size_t i, std::size_t j) {
+    return glm::dot(glm::cross(polygon[j] - polygon[i], p - polygon[i]), n) >= 0.0;
+  };
+  std::size_t low = 1, high = polygon.size() - 1;
+  if (!left_of(0, low) || !left_of(high, 0)) return false;
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (left_of(0, middle) ? low : high) = middle;
+  }
+  return left_of(low, high);
+}
+
+}  // namespace
+
 bool contains(const Polygon& polygon, const Vec3& n, const Vec3& p) {
+  constexpr std::size_t few_corners = 32;
+  if (polygon.size() > few_corners) return contains_by_halves(polygon, n, p);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     if (glm::dot(glm::cross(b - a, p - a), n) < 0.0) return false;

@@ -1,5 +1,6 @@
 #include "machine/background_load.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -43,21 +44,36 @@ BackgroundLoad::BackgroundLoad(const std::string& text, const std::string& file,
   }
 }
 
+double BackgroundLoad::free_of_round_s() const {
+  double free_s = 0.0;
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    free_s += (end_of_step_s(i) - steps_[i].from_s) * (1.0 - steps_[i].share);
+  return free_s;
+}
+
+double BackgroundLoad::end_of_step_s(std::size_t i) const {
+  if (i + 1 < steps_.size()) return steps_[i + 1].from_s;
+  return repeat_s_ > 0.0 ? repeat_s_ : std::numeric_limits<double>::infinity();
+}
+
 double BackgroundLoad::end_s(double start_s, double seconds) const {
-  double round_s = repeat_s_ > 0.0 ? repeat_s_ * std::floor(start_s / repeat_s_) : 0.0;
+  // Times count from the start of a round: late in a run, a short round would vanish beside the
+  // whole time. Whole rounds are passed at once, however many they are.
+  double at_s = repeat_s_ > 0.0 ? std::fmod(start_s, repeat_s_) : start_s, passed_s = 0.0;
   std::size_t i = 0;
-  while (i + 1 < steps_.size() && round_s + steps_[i + 1].from_s <= start_s) ++i;
-  for (double at_s = start_s;;) {
-    const bool last = i + 1 == steps_.size();
-    double until_s = std::numeric_limits<double>::infinity();
-    if (!last) until_s = round_s + steps_[i + 1].from_s;
-    if (last && repeat_s_ > 0.0) until_s = round_s + repeat_s_;
-    const double free = 1.0 - steps_[i].share;
-    if (at_s + seconds / free <= until_s) return at_s + seconds / free;
+  while (i + 1 < steps_.size() && steps_[i + 1].from_s <= at_s) ++i;
+  for (;;) {
+    const double free = 1.0 - steps_[i].share, until_s = end_of_step_s(i);
+    if (at_s + seconds / free <= until_s) return start_s + passed_s + seconds / free;
     seconds -= (until_s - at_s) * free;
+    passed_s += until_s - at_s;
     at_s = until_s;
-    i = last ? 0 : i + 1;
-    if (last) round_s += repeat_s_;
+    if (++i < steps_.size()) continue;
+    at_s = 0.0;
+    i = 0;
+    const double rounds = std::floor(seconds / free_of_round_s());
+    seconds = std::max(0.0, seconds - rounds * free_of_round_s());
+    passed_s += rounds * repeat_s_;
   }
 }
 

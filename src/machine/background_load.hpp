@@ -25,6 +25,9 @@ class BackgroundLoad {
   struct Step {
     double from_s = 0.0, share = 0.0;
   };
+  double end_of_step_s(std::size_t i) const;  ///< from the start of a round
+  double free_of_round_s() const;             ///< what others leave of a whole round
+
   std::vector<Step> steps_{Step{}};
   double repeat_s_ = 0.0;  ///< 0 = never
 };

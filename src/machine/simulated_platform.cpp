@@ -1,65 +1,18 @@
 #include "machine/simulated_platform.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <string>
 
 #include "base/error.hpp"
-#include "base/nearest_word.hpp"
+#include "machine/platform_properties.hpp"
 
 namespace enfilade {
 
 namespace s4u = simgrid::s4u;
 
 namespace {
-
-/// The disk's own property `key`, or the cost model's value.
-double seconds_of(const s4u::Disk& disk, const char* key, double of_model) {
-  const char* own = disk.get_property(key);
-  if (own == nullptr) return of_model;
-  char* end = nullptr;
-  const double seconds = std::strtod(own, &end);
-  if (end != own && *end == '\0' && seconds >= 0.0 && std::isfinite(seconds)) return seconds;
-  throw InputError("platform", "disk " + disk.get_name() + ": " + key,
-                   "'" + std::string(own) + "' is not a number of seconds from 0 up",
-                   "give it as platforms/README.md shows");
-}
-
-/// Refuses a property whose name is nearly one of `ours`, or is one of `others`, which belong
-/// elsewhere. Any other that is not ours may be another program's.
-template <class Described>
-void refuse_misspelt(const Described& described, const std::string& what,
-                     const std::vector<std::string>& ours, const std::string& others_place,
-                     const std::vector<std::string>& others) {
-  for (const auto& [key, value] : *described.get_properties()) {
-    if (std::find(ours.begin(), ours.end(), key) != ours.end()) continue;
-    const std::string place = what + " " + described.get_name() + ": " + key;
-    if (std::find(others.begin(), others.end(), key) != others.end()) {
-      throw InputError("platform", place, "no such property here", "put it into " + others_place);
-    }
-    const std::string meant = nearest_word(key, ours);
-    if (meant.empty()) continue;
-    throw InputError("platform", place, "no such property", "did you mean '" + meant + "'?");
-  }
-}
-
-void refuse_misspelt(const s4u::Host& host) {
-  const std::vector<std::string> of_hosts{"memory", "serves"};
-  const std::vector<std::string> of_disks{"background", "request_s", "seek_s"};
-  refuse_misspelt(host, "host", of_hosts, "the host's <disk>", of_disks);
-  const char* serves = host.get_property("serves");
-  if (serves != nullptr && std::string(serves) != "common" && std::string(serves) != "alone") {
-    throw InputError("platform", "host " + host.get_name() + ": serves",
-                     "'" + std::string(serves) + "' is neither common nor alone",
-                     "give it as platforms/README.md shows");
-  }
-  for (const s4u::Disk* disk : host.get_disks()) {
-    refuse_misspelt(*disk, "disk", of_disks, "the <host>", of_hosts);
-  }
-}
 
 Wire wire_between(const s4u::Host& from, const s4u::Host& to) {
   Wire wire;
@@ -73,9 +26,8 @@ Wire wire_between(const s4u::Host& from, const s4u::Host& to) {
   return wire;
 }
 
-bool has_property(const s4u::Host& host, const char* key, const char* value) {
-  const char* is = host.get_property(key);
-  return is != nullptr && std::string(is) == value;
+bool serves(const s4u::Host& host, Serves what) {
+  return host_properties(host.get_name(), *host.get_properties()).serves == what;
 }
 
 }  // namespace
@@ -88,11 +40,10 @@ DiskArm& arm_of(s4u::Disk& disk, const DiskCosts& costs) {
                        "give them as platforms/README.md shows");
     }
     auto arm = std::make_unique<DiskArm>();
-    arm->seek_s = seconds_of(disk, "seek_s", costs.seek_s);
-    arm->request_s = seconds_of(disk, "request_s", costs.request_s);
-    if (const char* others = disk.get_property("background")) {
-      arm->others = BackgroundLoad(others, "platform", "disk " + disk.get_name() + ": background");
-    }
+    const DiskProperties own = disk_properties(disk.get_name(), *disk.get_properties());
+    arm->seek_s = own.seek_s.value_or(costs.seek_s);
+    arm->request_s = own.request_s.value_or(costs.request_s);
+    arm->others = own.background;
     disk.set_data(arm.release());
   }
   return *disk.get_data<DiskArm>();
@@ -108,12 +59,12 @@ std::vector<Server> common_servers(s4u::Host& here) {
   std::vector<Server> servers;
   // All ranks were placed before the first one ran.
   const bool alone = here.get_actor_count() == s4u::Engine::get_instance()->get_actor_count();
-  if (alone && has_property(here, "serves", "alone")) {
+  if (alone && serves(here, Serves::alone)) {
     for (s4u::Disk* disk : here.get_disks()) servers.push_back({&here, disk, {}, {}});
     if (!servers.empty()) return servers;
   }
   for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
-    if (!has_property(*host, "serves", "common")) continue;
+    if (!serves(*host, Serves::common)) continue;
     for (s4u::Disk* disk : host->get_disks()) {
       servers.push_back({host, disk, wire_between(*host, here), wire_between(here, *host)});
     }
@@ -126,17 +77,13 @@ std::vector<Server> common_servers(s4u::Host& here) {
 }
 
 std::uint64_t memory_of(const s4u::Host& host) {
-  const char* memory = host.get_property("memory");
-  return memory == nullptr
-             ? 0
-             : parse_bytes(memory, "platform", "host " + host.get_name() + ": memory");
+  return host_properties(host.get_name(), *host.get_properties()).memory_bytes;
 }
 
 void check_platform(const DiskCosts& costs) {
   for (s4u::Host* host : s4u::Engine::get_instance()->get_all_hosts()) {
-    refuse_misspelt(*host);
+    host_properties(host->get_name(), *host->get_properties());
     for (s4u::Disk* disk : host->get_disks()) arm_of(*disk, costs);
-    memory_of(*host);
   }
 }
 

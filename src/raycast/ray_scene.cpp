@@ -59,8 +59,8 @@ struct RayScene::Impl {
     void release() const {
       if (scene != nullptr) rtcReleaseScene(scene);
     }
-    void build(RTCDevice device, std::span<const Polygon> polygons,
-               const std::vector<std::uint32_t>& members, const Vec3& center,
+    void build(RTCDevice embree, std::span<const Polygon> polygons,
+               const std::vector<std::uint32_t>& members, const Vec3& origin,
                RTCFilterFunctionN met);
   };
 
@@ -106,29 +106,30 @@ struct RayScene::Impl {
                  double far_m) const;
 };
 
-void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> polygons,
-                                 const std::vector<std::uint32_t>& members, const Vec3& center,
+void RayScene::Impl::Mesh::build(RTCDevice embree, std::span<const Polygon> polygons,
+                                 const std::vector<std::uint32_t>& members, const Vec3& origin,
                                  RTCFilterFunctionN met) {
   std::size_t vertices = 0, triangles = 0;
   for (const std::uint32_t k : members) {
     vertices += polygons[k].size();
     triangles += polygons[k].size() >= 3 ? polygons[k].size() - 2 : 0;
   }
-  scene = rtcNewScene(device);
+  scene = rtcNewScene(embree);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   polygon_of_triangle.reserve(triangles);
-  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry mesh = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_TRIANGLE);
   if (triangles > 0) {
     auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
-    if (xyz == nullptr || index == nullptr) throw RunError("not enough memory for the ray tracer");
+    if (xyz == nullptr || index == nullptr)
+      throw RunError("Embree: not enough memory for the polygons; use a larger machine");
     std::uint32_t first = 0;
     for (const std::uint32_t k : members) {
       for (const Vec3& v : polygons[k]) {
-        const Vec3 q = v - center;
+        const Vec3 q = v - origin;
         *xyz++ = static_cast<float>(q.x);
         *xyz++ = static_cast<float>(q.y);
         *xyz++ = static_cast<float>(q.z);
@@ -149,7 +150,8 @@ void RayScene::Impl::Mesh::build(RTCDevice device, std::span<const Polygon> poly
   rtcAttachGeometry(scene, mesh);
   rtcReleaseGeometry(mesh);
   rtcCommitScene(scene);
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw RunError("the ray tracer cannot be built");
+  if (rtcGetDeviceError(embree) != RTC_ERROR_NONE)
+    throw RunError("Embree: cannot build its tree of the polygons; use a larger machine");
 }
 
 void RayScene::Impl::build(std::span<const Polygon> polygons, std::span<const char> is_pane) {
@@ -165,7 +167,12 @@ void RayScene::Impl::build(std::span<const Polygon> polygons, std::span<const ch
   // A float's step at half the diagonal is 6e-8 of it; an intersection is good to a few such steps.
   epsilon = static_cast<float>(1e-6 * std::max(box.diagonal(), 1e-30));
   device = rtcNewDevice("threads=1,set_affinity=0");
-  if (device == nullptr) throw RunError("Embree cannot start");
+  if (device == nullptr) {
+    const bool memory = rtcGetDeviceError(nullptr) == RTC_ERROR_OUT_OF_MEMORY;
+    throw RunError(std::string("Embree: cannot start") + (memory ? ": memory ran out" : "") +
+                   "; it needs some 200 MiB beside the scene: raise the limits of memory and "
+                   "threads (ulimit -a)");
+  }
   walls.build(device, polygons, opaque, center, skip_filter);
   if (!passing.empty()) panes.build(device, polygons, passing, center, note_crossing);
 }

@@ -58,6 +58,16 @@ ShareIndex index_from(const nlohmann::ordered_json& json) {
   return index;
 }
 
+/// One file of a cluster; what is wrong with it is mended by finding the shares again.
+std::vector<std::byte> share_bytes(const std::string& path, const SectionPlace& place) {
+  try {
+    return read_section(path, place).bytes;
+  } catch (const RunError& error) {
+    const std::string what = error.what();
+    throw RunError(what.substr(0, what.rfind("; ")) + "; " + shares_remedy);
+  }
+}
+
 /// Reads the irradiance of a cluster's leaves by all shares into the bands after the lead bands.
 void read_leaves(const std::string& run_directory, const Manifest& manifest,
                  const ShareIndex& index, ClusterState& wide) {
@@ -66,8 +76,7 @@ void read_leaves(const std::string& run_directory, const Manifest& manifest,
   const std::size_t shares = index.names.size();
   for (std::size_t first = 0; first < shares; first += index.per_file) {
     const std::string path = file_of(run_directory, wide.id(), first / index.per_file);
-    const std::vector<std::byte> bytes =
-        read_section(path, place_of(manifest, index, wide.id())).bytes;
+    const auto bytes = share_bytes(path, place_of(manifest, index, wide.id()));
     ByteReader reader(bytes, path);
     const std::vector<float> values = reader.get_all<float>();
     const std::size_t width = std::min(index.per_file, shares - first) * lead;
@@ -156,6 +165,24 @@ std::optional<ShareIndex> read_share_index(const std::string& run_directory) {
              index = index_from(json);
          });
   return index;
+}
+
+bool has_whole_shares(const std::string& run_directory, std::size_t clusters) {
+  try {
+    const std::optional<ShareIndex> index = read_share_index(run_directory);
+    if (!index) return false;
+    const Manifest manifest = committed_manifest(RunLayout(run_directory));
+    for (std::size_t i = 0; i < clusters; ++i) {
+      const ClusterId id(i);
+      for (std::size_t first = 0; first < index->names.size(); first += index->per_file) {
+        share_bytes(file_of(run_directory, id, first / index->per_file),
+                    place_of(manifest, *index, id));
+      }
+    }
+    return true;
+  } catch (const RunError&) {
+    return false;
+  }
 }
 
 double LightShares::radiosity(ClusterId cluster, std::size_t node, std::size_t share,

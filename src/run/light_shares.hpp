@@ -39,6 +39,10 @@ void write_share_index(const std::string& run_directory, const Manifest& manifes
 /// the committed one. Throws RunError where it is damaged.
 std::optional<ShareIndex> read_share_index(const std::string& run_directory);
 
+/// True where the index and the files of all clusters are there, undamaged and of the committed
+/// solution.
+bool has_whole_shares(const std::string& run_directory, std::size_t clusters);
+
 /// The solution with the shares of its light. They sum to the solution, on every patch and at every
 /// point.
 struct LightShares {

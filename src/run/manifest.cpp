@@ -14,9 +14,8 @@
 namespace enfilade {
 namespace {
 
-// Version 9: sums of rows, relaxation. 8: checksum, run and preparation. 7: the building's
-// hierarchy.
-constexpr SealedFormat manifest_format{"enfilade-manifest", 9, "solve again without --resume"};
+constexpr SealedFormat manifest_format{"enfilade-manifest", manifest_version,
+                                       "solve again without --resume"};
 
 /// JSON has no infinity (the error of a link that nothing is known about yet): the largest number
 /// stands for it.

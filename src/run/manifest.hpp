@@ -14,6 +14,9 @@
 
 namespace enfilade {
 
+/// 9: sums of rows, relaxation. 8: checksum, run and preparation. 7: the building's hierarchy.
+inline constexpr int manifest_version = 9;
+
 struct Manifest {
   int iteration = 0;  ///< the last committed one; 0 = the state before the first
   std::size_t clusters = 0;

@@ -21,8 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Version 4: checksums of the mark and of all files of the preparation.
-constexpr SealedFormat mark_format{"enfilade-run", 4, "run 'enfilade prepare' again"};
+constexpr SealedFormat mark_format{"enfilade-run", mark_version, "run 'enfilade prepare' again"};
 constexpr const char* name_another = "name another directory with -o";
 
 std::string mark_path(const std::string& run_directory) { return run_directory + "/run.json"; }

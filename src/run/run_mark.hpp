@@ -14,6 +14,9 @@
 
 namespace enfilade {
 
+/// 4: checksums of the mark and of all files of the preparation.
+inline constexpr int mark_version = 4;
+
 struct RunMark {
   bool prepared = false;  ///< false: it is being prepared, or was left so, or is damaged
   std::string fault;      ///< why it is not prepared: "damaged (checksum)"; empty: it was left so

@@ -150,7 +150,14 @@ class Covers {
 
   void take_away(std::vector<Polygon>& parts, const Polygon& cover) const {
     std::vector<Polygon> next;
-    for (const Polygon& part : parts) {
+    const Box box = bounds(cover);
+    // Beside the cover by more than both tolerances; they may lie so far from one plane, too.
+    const double margin = 2.0 * (scale_.coplanar() + scale_.cut());
+    for (Polygon& part : parts) {
+      if (!bounds(part).overlaps(box, margin)) {
+        next.push_back(std::move(part));
+        continue;
+      }
       for (Polygon& left : subtract_coplanar(part, cover, scale_.cut()))
         next.push_back(std::move(left));
     }

@@ -286,6 +286,7 @@ class Sizes(InScratch):
         scene["surfaces"] += surfaces
         path = self.scratch / "scene.json"
         path.write_text(json.dumps(scene))
+        shutil.rmtree(self.scratch / "run", ignore_errors=True)
         result = enfilade("prepare", path, "-o", self.scratch / "run", "--no-pictures", timeout=2 * SOON_S)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
@@ -310,6 +311,12 @@ class Sizes(InScratch):
 
     def test_a_disc_of_many_corners(self):
         self.prepared([{"vertices": self.ring(3000, (0.8,)), "reflectance": [0.5], "two_sided": True}])
+
+    def test_discs_of_many_corners_that_hang_and_lie_on_each_other(self):
+        hanging = [self.ring(3000, (0.8,), 0.5 + 0.2 * i) for i in range(4)]
+        lying = [[[x + 0.2 * i, y, z] for x, y, z in self.ring(3000, (0.5,), 0.3)] for i in range(4)]
+        for shape in (hanging, lying):
+            self.prepared([{"vertices": ring, "reflectance": [0.5], "two_sided": True} for ring in shape])
 
     def test_more_corners_than_can_be_are_refused(self):
         path = self.scene(lambda scene: scene["surfaces"].append({"vertices": self.ring(20000, (0.8, 0.4)), "reflectance": [0.5]}))

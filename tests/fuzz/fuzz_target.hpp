@@ -23,12 +23,19 @@ inline void require(bool holds) {
 /// The bytes as a file with this extension, in a directory of its own that goes with it.
 class InputFile {
  public:
-  InputFile(const std::uint8_t* data, std::size_t size, const std::string& extension) {
+  InputFile(const std::uint8_t* data, std::size_t size, const std::string& extension)
+      : InputFile(std::string(reinterpret_cast<const char*>(data), size), extension) {}
+  InputFile(const std::string& bytes, const std::string& extension) {
     std::string name = (std::filesystem::temp_directory_path() / "enfilade_fuzz_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     directory_ = name;
-    std::ofstream(path_ = directory_ / ("input" + extension), std::ios::binary)
-        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    path_ = directory_ / ("input" + extension);
+    put_beside("input" + extension, bytes);
+  }
+  /// A further file, in the same directory.
+  void put_beside(const std::string& name, const std::string& bytes) const {
+    std::ofstream(directory_ / name, std::ios::binary)
+        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
   ~InputFile() { std::filesystem::remove_all(directory_); }
   InputFile(const InputFile&) = delete;

@@ -55,10 +55,11 @@ void read_one(std::uint8_t kind, const std::string& text) {
       owners_from(text, "fuzz");
       break;
     case 5:
-      committed_iterations(sealed(text, "enfilade-manifest", 8, "common/manifest.json"));
+      committed_iterations(
+          sealed(text, "enfilade-manifest", manifest_version, "common/manifest.json"));
       break;
     default:
-      read_run_mark(sealed(text, "enfilade-run", 4, "run.json"));
+      read_run_mark(sealed(text, "enfilade-run", mark_version, "run.json"));
   }
 }
 

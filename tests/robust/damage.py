@@ -26,22 +26,33 @@ def files_of(directory):
     return sorted(p.relative_to(directory) for p in Path(directory).rglob("*") if p.is_file())
 
 
+def scene_file(path, brightness):
+    """The room with a second lamp, on a switch of its own."""
+    scene = json.loads(ROOM.read_text())
+    for surface in scene["surfaces"]:
+        if isinstance(surface.get("exitance"), list):
+            surface.update(exitance=[brightness * e for e in surface["exitance"]], switch="ceiling")
+    scene["lights"] = [{"type": "point", "p": [1.1, 0.9, 1.5], "intensity": [0.5 * brightness], "switch": "desk"}]
+    path.write_text(json.dumps(scene))
+    return path
+
+
 class Runs:
     """The RUN that is damaged, as solved to its end and as left in the middle; and those that others' files come from."""
 
     def __init__(self, program, scratch):
         self.whole, self.half = scratch / "whole", scratch / "half"
         self.others = [scratch / "older", scratch / "brighter", scratch / "coarser"]
-        scene = json.loads(ROOM.read_text())
-        scene["surfaces"] = [dict(s, exitance=[2 * e for e in s["exitance"]]) if isinstance(s.get("exitance"), list) else s
-                             for s in scene["surfaces"]]
-        brighter = scratch / "brighter.json"
-        brighter.write_text(json.dumps(scene))
+        room, self.other_light = scene_file(scratch / "room.json", 1), scene_file(scratch / "other_light.json", 2)
         older, bright, coarse = self.others
-        for made in (solve(program, ROOM, self.whole, *TARGET), solve(program, ROOM, self.half, *TARGET, "--max-iterations", 4),
-                     solve(program, ROOM, older, *TARGET, "--max-iterations", 2), solve(program, brighter, bright, *TARGET),
-                     solve(program, ROOM, coarse, "--target-error", "0.3", "--basis", "constant")):
+        full = ("--shares", "--rooms")
+        for made in (solve(program, room, self.whole, *TARGET, *full), solve(program, room, self.half, *TARGET, "--max-iterations", 4),
+                     solve(program, room, older, *TARGET, "--max-iterations", 2, "--shares"),
+                     solve(program, self.other_light, bright, *TARGET, *full),
+                     solve(program, room, coarse, "--target-error", "0.3", "--basis", "constant", *full)):
             assert made.status == 0, made.error
+        made = run([program, "walk", self.whole, "-o", self.whole / "walk.html"])
+        assert made.status == 0, made.error
 
 
 def turn_bits(rng, data):
@@ -113,8 +124,8 @@ def harm(rng, runs, directory, name, kind):
 class Commands:
     """Each command: how it is started, and which of its outputs are compared."""
 
-    def __init__(self, program, smpi, scratch):
-        self.program, self.smpi, self.scratch = program, smpi, scratch
+    def __init__(self, program, smpi, other_light):
+        self.program, self.smpi, self.other_light = program, smpi, other_light
         small = ("--width", 24, "--height", 16, "--samples", 1, "--threads", 1)
         self.of_whole = {
             "info": lambda d, out: ["info", d],
@@ -124,12 +135,23 @@ class Commands:
             "export graph": lambda d, out: ["export", d, "-o", out / "x.json"],
             "locate": lambda d, out: ["locate", d, "--points", ROOM, "-o", out / "cells.json"],
             "plan": lambda d, out: ["plan", d, "-o", out / "plan.svg"],
-            "report": lambda d, out: ["report", d, "-o", out / "x.html", "--no-pictures"]}
-        self.names = [*self.of_whole, "resume", *(["replay"] if smpi else [])]
+            "report": lambda d, out: ["report", d, "-o", out / "x.html", "--no-pictures"],
+            "dimmed": lambda d, out: ["probe", d, "--points", ROOM, "-o", out / "dimmed.json", "--rays", 64, "--switch", "desk=0.3"],
+            "shares of points": lambda d, out: ["probe", d, "--points", ROOM, "-o", out / "shares.json", "--rays", 64, "--shares"],
+            "rooms": lambda d, out: ["rooms", d, "-o", out / "rooms.csv", "--rays", 16, "--no-cylindrical"],
+            "walk": lambda d, out: ["walk", d, "-o", out / "walk.html"],
+            "factors": lambda d, out: ["factors", d, "-o", out / "factors.csv", "--error", 0.05],
+            "bounds": lambda d, out: ["bounds", d, "-o", out / "bounds.csv", "--links", 1000, "--seconds", 0, "--threads", 1]}
+        self.solves = ("resume", "again", "further shares", "relight")
+        self.names = [*self.of_whole, *self.solves, *(["replay"] if smpi else [])]
 
     def start(self, name, directory, out):
-        if name == "resume":
+        if name == "resume" or name == "again":
             outcome = solve(self.program, directory, directory, "--resume", *TARGET)
+        elif name == "further shares":
+            outcome = solve(self.program, directory, directory, "--resume", "--shares", *TARGET)
+        elif name == "relight":
+            outcome = solve(self.program, directory, out / "relit", "--relight", self.other_light)
         elif name == "replay":
             outcome = run([ROOT / ".ci/smpirun.sh", 2, self.smpi, "solve", "--replay", directory, "-o", out / "replayed", "--quiet"])
         else:
@@ -139,8 +161,11 @@ class Commands:
     @staticmethod
     def told(name, directory, out):
         """What the command told, to compare: its files, without the times that it took."""
-        if name == "resume":
-            return (directory / "probes.json").read_bytes(), (directory / "surfaces.csv").read_bytes()
+        if name in ("resume", "again", "relight"):
+            solved = out / "relit" if name == "relight" else directory
+            return (solved / "probes.json").read_bytes(), (solved / "surfaces.csv").read_bytes()
+        if name == "further shares":
+            return [(p, (directory / p).read_bytes()) for p in files_of(directory) if ".shares-" in p.name]
         if name == "replay":
             stats = json.loads((out / "replayed/stats.json").read_text())
             return [stats[key] for key in ("simulated_s", "compute_s", "io_s", "bytes_read", "messages")]
@@ -151,10 +176,10 @@ class Trials:
     def __init__(self, options, scratch):
         self.scratch = scratch
         self.runs = Runs(options.enfilade, scratch)
-        self.commands = Commands(options.enfilade, options.smpi, scratch)
+        self.commands = Commands(options.enfilade, options.smpi, self.runs.other_light)
         self.rng = random.Random(options.seed)
         self.unharmed = {}
-        self.table = collections.Counter()
+        self.table, self.by_command = collections.Counter(), collections.Counter()
         self.faults = []
 
     def copy(self, source):
@@ -188,14 +213,16 @@ class Trials:
             fault = "another answer with exit status 0"
         end = "wrong" if fault else "right answer" if outcome.status == 0 else "refused"
         self.table[kind, end] += 1
+        self.by_command[name, end] += 1
         if fault:
             self.faults.append(f"{name}: {file} {kind}: {fault}")
 
     def report(self):
         ends = ("refused", "right answer", "wrong")
-        print(f"{'damage':12} " + " ".join(f"{end:>12}" for end in ends))
-        for kind in DAMAGE:
-            print(f"{kind:12} " + " ".join(f"{self.table[kind, end]:12}" for end in ends))
+        for title, rows, table in (("damage", DAMAGE, self.table), ("command", self.commands.names, self.by_command)):
+            print(f"{title:16} " + " ".join(f"{end:>12}" for end in ends))
+            for row in rows:
+                print(f"{row:16} " + " ".join(f"{table[row, end]:12}" for end in ends))
         print(f"{sum(self.table.values())} trials, {len(self.faults)} faults")
         print(*self.faults, sep="\n")
 

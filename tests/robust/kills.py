@@ -3,10 +3,12 @@
 
 kills.py ENFILADE NTH_CALL_LIBRARY [--kills N] [--seed S] [--scene SCENE] [--target-error E]
 
-Each trial kills one rank of 1 to 3 at a random moment or at a random call that changes RUN (those of the commit
-among them), some of them several times, and ends with an undisturbed 'solve --resume', which must give the bytes of
-an undisturbed run. Every fourth trial stops a rank for a while instead, which must change nothing, and then tries a
-second solve in the same RUN, which must be refused. Exit status 1 where a trial ended otherwise."""
+Each trial kills one rank of 1 to 3, once or several times: by turns at a call that writes a cluster's files, at a call
+that writes the manifest, and at a random moment. The library tells at which file a rank died, so that a kill counts
+only where it fell into an iteration or a commit. A trial ends with an undisturbed 'solve --resume', which must give the
+bytes of an undisturbed run. Every fourth trial stops a rank within an iteration instead, which must change nothing, and
+tries a second solve in the same RUN, which must be refused. Exit status 1 where a trial ended otherwise, and where
+fewer than half of the kills or stops fell where they should."""
 import argparse
 import os
 import random
@@ -21,6 +23,9 @@ from pathlib import Path
 from runs import run, solve
 
 GENERATE = ("--floors", "1", "--seed", "3")
+# Which paths in RUN are written within an iteration, and within a commit.
+PLACES = {"an iteration": "/cluster-", "a commit": "/common/manifest"}
+MOMENT = "a moment"
 
 
 class Kills:
@@ -31,15 +36,21 @@ class Kills:
         self.scene = options.scene or self.building()
         self.directory = scratch / "run"
         counts = scratch / "counts"
-        start = time.monotonic()
         whole = scratch / "whole"
-        outcome = solve(options.enfilade, self.scene, whole, *self.target,
-                        env={"LD_PRELOAD": options.preload, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts)})
-        assert outcome.status == 0, outcome.error
-        self.seconds = time.monotonic() - start
-        self.calls = max(map(int, counts.read_text().split()))
+        self.calls = {}
+        for place, match in PLACES.items():  # the same run for each, and the last one is timed
+            shutil.rmtree(whole, ignore_errors=True)
+            counts.unlink(missing_ok=True)
+            start = time.monotonic()
+            outcome = solve(options.enfilade, self.scene, whole, *self.target,
+                            env={"LD_PRELOAD": options.preload, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts), "NTH_MATCH": match})
+            assert outcome.status == 0, outcome.error
+            self.seconds = time.monotonic() - start
+            self.calls[place] = max(map(int, counts.read_text().split()))
         self.wanted = (whole / "probes.json").read_bytes() if (whole / "probes.json").exists() else b"", (whole / "surfaces.csv").read_bytes()
-        self.faults, self.done = [], {"killed at a call": 0, "killed at a moment": 0, "stopped": 0}
+        self.faults, self.turn = [], 0
+        self.tried = dict.fromkeys((*PLACES, MOMENT, "a stop"), 0)
+        self.fell = dict.fromkeys(self.tried, 0)
 
     def building(self):
         scene = self.scratch / "building.json"
@@ -69,42 +80,64 @@ class Kills:
             launcher.wait()
             self.faults.append("a run hangs")
 
-    def kill_at_a_call(self, ranks, resume):
-        self.done["killed at a call"] += 1
-        self.wait(self.start(ranks, *resume, env={"NTH_CALL": str(self.rng.randrange(1, self.calls + 1)), "NTH_ACTION": "kill",
-                                                  "NTH_RANK": str(self.rng.randrange(ranks))}))
+    def start_to_act(self, ranks, place, n, action, *resume):
+        """Starts ranks of which one does so at its n-th call there, and tells it in the file `told`."""
+        self.told = self.scratch / "told"
+        self.told.unlink(missing_ok=True)
+        rank = 0 if place == "a commit" else self.rng.randrange(ranks)
+        return self.start(ranks, *resume, env={"NTH_CALL": str(n), "NTH_ACTION": action, "NTH_MATCH": PLACES[place],
+                                               "NTH_TOLD": str(self.told), "NTH_RANK": str(rank)})
 
-    def signal_one(self, launcher, what):
-        time.sleep(self.rng.random() * self.seconds)
-        ranks = self.ranks_of(launcher)
-        if not ranks:
-            return None
-        pid = self.rng.choice(ranks)
-        try:
-            os.kill(pid, what)
-        except ProcessLookupError:
-            return None
-        return pid
+    def kill_at_a_call(self, place, ranks, resume):
+        # Several ranks share the calls, and a resumed run has fewer of them.
+        n = self.rng.randrange(1, max(2, self.calls[place] // (ranks * (4 if resume else 1))))
+        self.wait(self.start_to_act(ranks, place, n, "kill", *resume))
+        return self.told.exists()
 
     def kill_at_a_moment(self, ranks, resume):
-        self.done["killed at a moment"] += 1
+        """True where RUN was left within its iterations."""
         launcher = self.start(ranks, *resume)
-        self.signal_one(launcher, signal.SIGKILL)
+        time.sleep(self.rng.random() * self.seconds)
+        try:
+            os.kill(self.rng.choice(self.ranks_of(launcher)), signal.SIGKILL)
+        except (IndexError, ProcessLookupError):  # the run was faster
+            pass
         self.wait(launcher)
+        manifest = self.directory / "common/manifest.json"
+        return launcher.returncode != 0 and manifest.exists() and b'"finished":false' in manifest.read_bytes()
+
+    def kill(self, ranks, resume):
+        place = list(self.tried)[self.turn % 3]
+        self.turn += 1
+        fell = self.kill_at_a_moment(ranks, resume) if place == MOMENT else self.kill_at_a_call(place, ranks, resume)
+        self.tried[place] += 1
+        self.fell[place] += fell
+
+    def stopped_rank(self, launcher):
+        """The rank that has stopped itself; None where all come to their end."""
+        while launcher.poll() is None:
+            for pid in self.ranks_of(launcher):
+                try:
+                    if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "T":
+                        return pid
+                except OSError:  # it has just ended
+                    pass
+            time.sleep(0.01)
+        return None
 
     def stop(self, ranks):
-        self.done["stopped"] += 1
-        launcher = self.start(ranks)
-        pid = self.signal_one(launcher, signal.SIGSTOP)
+        self.tried["a stop"] += 1
+        launcher = self.start_to_act(ranks, "an iteration", self.rng.randrange(1, max(2, self.calls["an iteration"] // ranks)), "stop")
+        pid = self.stopped_rank(launcher)
         if pid is not None:
-            # Its last file is there where the run is done, and a rank was stopped on its way out.
-            held = (self.directory / "lock").exists() and not (self.directory / "report.html").exists()
+            self.fell["a stop"] += 1
             second = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume")
-            alive = launcher.poll() is None
             os.kill(pid, signal.SIGCONT)
-            if held and alive and (second.status != 2 or second.fault()):
+            if second.status != 2 or second.fault():
                 self.faults.append(f"a second solve ended with {second.status}: {second.error[-300:]}")
         self.wait(launcher)
+        if launcher.returncode != 0:
+            self.faults.append(f"a run that was stopped for a while ended with {launcher.returncode}")
 
     def one(self, i):
         shutil.rmtree(self.directory, ignore_errors=True)
@@ -113,8 +146,7 @@ class Kills:
         else:
             for again in range(self.rng.randrange(1, 4)):
                 resume = ["--resume"] if again else []
-                kill = self.kill_at_a_call if self.rng.random() < 0.6 else self.kill_at_a_moment
-                kill(self.rng.randrange(1, 4), resume)
+                self.kill(self.rng.randrange(1, 4), resume)
         outcome = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume", ranks=self.rng.randrange(1, 4))
         if outcome.status != 0:
             self.faults.append(f"trial {i}: cannot be resumed: {outcome.error[-300:]}")
@@ -122,6 +154,12 @@ class Kills:
         probes = self.directory / "probes.json"
         if (probes.read_bytes() if probes.exists() else b"", (self.directory / "surfaces.csv").read_bytes()) != self.wanted:
             self.faults.append(f"trial {i}: resumed to another answer")
+
+    def judge(self):
+        """A program whose kills fall beside what it is for would find no fault in anything."""
+        for place, tried in self.tried.items():
+            if 2 * self.fell[place] < tried and place != MOMENT:
+                self.faults.append(f"only {self.fell[place]} of {tried} fell into {place}")
 
 
 def main():
@@ -138,8 +176,9 @@ def main():
         for i in range(options.kills):
             kills.one(i)
             print(f"trial {i + 1} of {options.kills}, {len(kills.faults)} faults", flush=True)
-    print(f"{options.kills} trials of a solve of {kills.seconds:.1f} s and {kills.calls} calls: "
-          + ", ".join(f"{count} {what}" for what, count in kills.done.items()) + f"; {len(kills.faults)} faults")
+    kills.judge()
+    print(f"{options.kills} trials of a solve of {kills.seconds:.1f} s: "
+          + ", ".join(f"{kills.fell[place]} of {tried} in {place}" for place, tried in kills.tried.items()) + f"; {len(kills.faults)} faults")
     print(*kills.faults, sep="\n")
     return 1 if kills.faults else 0
 

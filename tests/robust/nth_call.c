@@ -4,6 +4,8 @@
 //   NTH_UNDER   the directory, as the program names it
 //   NTH_CALL    n, from 1; 0: nothing happens
 //   NTH_ACTION  kill, stop, once (the call fails with EIO) or full (it and all later ones fail with ENOSPC)
+//   NTH_MATCH   only calls whose path holds this text are counted
+//   NTH_TOLD    a file that gets the path of the call before it is acted on
 //   NTH_RANK    the rank of Open MPI that this is for; without it, every process
 //   NTH_COUNT   a file to which each process appends the number of its calls at its end
 #define _GNU_SOURCE
@@ -24,8 +26,19 @@ static int is_meant(const char* path) {
   const char* under = getenv("NTH_UNDER");
   const char* rank = getenv("NTH_RANK");
   const char* own = getenv("OMPI_COMM_WORLD_RANK");
+  const char* match = getenv("NTH_MATCH");
   if (under == NULL || path == NULL || strncmp(path, under, strlen(under)) != 0) return 0;
+  if (match != NULL && strstr(path + strlen(under), match) == NULL) return 0;
   return rank == NULL || (own != NULL && strcmp(rank, own) == 0);
+}
+
+/// Appends a line to the file that an environment variable names, if it does.
+static void append(const char* variable, const char* line) {
+  const char* file = getenv(variable);
+  FILE* out = file == NULL ? NULL : fopen(file, "a");
+  if (out == NULL) return;
+  fprintf(out, "%s\n", line);
+  fclose(out);
 }
 
 /// The error that the call is to fail with, 0 for none.
@@ -38,6 +51,7 @@ static int fault_at(const char* path) {
   if (n <= 0 || action == NULL || calls < n) return 0;
   if (strcmp(action, "full") == 0) return ENOSPC;
   if (calls > n) return 0;
+  append("NTH_TOLD", path);
   if (strcmp(action, "kill") == 0) kill(getpid(), SIGKILL);
   if (strcmp(action, "stop") == 0) kill(getpid(), SIGSTOP);
   return strcmp(action, "once") == 0 ? EIO : 0;
@@ -53,12 +67,9 @@ static int fault_of(int fd) {
 }
 
 __attribute__((destructor)) static void tell(void) {
-  const char* file = getenv("NTH_COUNT");
-  if (file == NULL || calls == 0) return;
-  FILE* out = fopen(file, "a");
-  if (out == NULL) return;
-  fprintf(out, "%ld\n", calls);
-  fclose(out);
+  char line[32];
+  snprintf(line, sizeof line, "%ld", calls);
+  if (calls > 0) append("NTH_COUNT", line);
 }
 
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))

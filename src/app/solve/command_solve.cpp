@@ -108,13 +108,14 @@ ShareIndex find_shares(const SolveConfig& config, Prepared& prepared, Machine& m
   return index;
 }
 
-/// True on all ranks where a run that is left as it is lacks the shares that are asked for.
+/// True on all ranks where a run that is left as it is lacks the shares that are asked for, or has
+/// them damaged.
 bool shares_are_missing(const SolveOptions& options, const SolveConfig& config,
-                        RankSession& session) {
+                        const Prepared& prepared, RankSession& session) {
   if (!options.shares) return false;
   std::string missing;
   session.communicator().on_root([&] {
-    if (!read_share_index(config.run_directory)) missing = "missing";
+    if (!has_whole_shares(config.run_directory, prepared.clusters.size())) missing = "missing";
   });
   return !session.communicator().broadcast(missing).empty();
 }
@@ -158,7 +159,7 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
   console.warnings(warnings);
   if (nothing_is_left(options, config, prepared, session)) {
-    if (shares_are_missing(options, config, session))
+    if (shares_are_missing(options, config, prepared, session))
       add_shares(options, config, prepared, machine, session);
     return;
   }

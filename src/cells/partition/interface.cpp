@@ -36,31 +36,43 @@ std::vector<LeafPart> push_to_leaves(const BspTree& tree, std::int32_t root, Pol
   return parts;
 }
 
-void drop_slivers(std::vector<Polygon>& polygons, double sliver_m) {
-  std::erase_if(polygons, [&](const Polygon& polygon) {
-    return polygon.size() < 3 || area_m2(polygon) <= sliver_m * diameter(polygon);
-  });
+bool is_sliver(const Polygon& polygon, double sliver_m) {
+  return polygon.size() < 3 || area_m2(polygon) <= sliver_m * diameter(polygon);
 }
+
+// Openings with their boxes: each of many covers meets few of many openings.
+struct OpenPart {
+  Polygon polygon;
+  Box box;
+};
 
 // Cuts the covering polygons of one facing away from `openings`; returns the area that they cover.
 double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
              double sliver_m) {
   const double before = total_area_m2(openings);
+  std::vector<OpenPart> left;
+  for (Polygon& opening : openings) {
+    const Box box = bounds(opening);
+    left.push_back({std::move(opening), box});
+  }
   for (const InPlane* in_plane : covers) {
-    if (in_plane->same_facing != facing || openings.empty()) continue;
-    std::vector<Polygon> left;
-    for (Polygon& opening : openings) {
-      if (!bounds(opening).overlaps(in_plane->box, sliver_m)) {
-        left.push_back(std::move(opening));
+    if (in_plane->same_facing != facing) continue;
+    std::vector<OpenPart> next;
+    for (OpenPart& opening : left) {
+      if (!opening.box.overlaps(in_plane->box, sliver_m)) {
+        next.push_back(std::move(opening));
         continue;
       }
-      for (Polygon& part : subtract_coplanar(opening, in_plane->polygon, 1e-3 * sliver_m)) {
-        left.push_back(std::move(part));
+      for (Polygon& part : subtract_coplanar(opening.polygon, in_plane->polygon, 1e-3 * sliver_m)) {
+        if (is_sliver(part, sliver_m)) continue;
+        const Box box = bounds(part);
+        next.push_back({std::move(part), box});
       }
     }
-    drop_slivers(left, sliver_m);
-    openings = std::move(left);
+    left = std::move(next);
   }
+  openings.clear();
+  for (OpenPart& opening : left) openings.push_back(std::move(opening.polygon));
   return before - total_area_m2(openings);
 }
 

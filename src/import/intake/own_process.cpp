@@ -135,7 +135,13 @@ struct Flow {
   int end;
   std::string* received;  ///< null where bytes are sent
   std::string_view to_send;
+  bool keeps_end_alone = false;  ///< the last ProgramResult::most_errors bytes
 };
+
+void keep_end(std::string& text) {
+  if (text.size() > ProgramResult::most_errors)
+    text.erase(0, text.size() - ProgramResult::most_errors);
+}
 
 /// Reads and writes until every flow is at its end; kills the child when its time is over.
 void carry(std::vector<Flow> flows, Child& child) {
@@ -154,6 +160,7 @@ void carry(std::vector<Flow> flows, Child& child) {
       if (flow.received != nullptr) {
         n = ::read(flow.end, buffer.data(), buffer.size());
         if (n > 0) flow.received->append(buffer.data(), static_cast<std::size_t>(n));
+        if (flow.keeps_end_alone) keep_end(*flow.received);
       } else {
         n = ::write(flow.end, flow.to_send.data(), flow.to_send.size());
         if (n > 0) flow.to_send.remove_prefix(static_cast<std::size_t>(n));
@@ -279,7 +286,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
   const int sending = std::exchange(in.write_end, -1);
   carry({{sending, nullptr, input},
          {out.read_end, &result.output, {}},
-         {errors.read_end, &result.errors, {}}},
+         {errors.read_end, &result.errors, {}, true}},
         child);
   const int status = child.end();
   ::sigaction(SIGPIPE, &before, nullptr);

@@ -22,7 +22,8 @@ std::vector<std::byte> in_own_process(const std::string& file, const ProcessLimi
 
 /// What a program that was run wrote, and how it ended.
 struct ProgramResult {
-  std::string output, errors;  ///< of `errors`, the last 64 KiB
+  static constexpr std::size_t most_errors = std::size_t{64} << 10;
+  std::string output, errors;  ///< of `errors`, the last most_errors bytes
   int exit_status = -1;        ///< -1 where a signal ended it
   int signal = 0;
   bool timed_out = false;

@@ -44,6 +44,13 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
   w.put_all(cost.read);
 }
 
+/// Any other byte would be no bool.
+bool get_flag(ByteReader& r) {
+  const auto byte = r.get<std::uint8_t>();
+  if (byte > 1) throw RunError("costs: damaged; solve it again, then replay it");
+  return byte == 1;
+}
+
 GatherCost get_cost(ByteReader& r) {
   GatherCost cost;
   cost.cluster = r.get<ClusterId>();
@@ -51,7 +58,7 @@ GatherCost get_cost(ByteReader& r) {
   const auto sums = r.get_all<double>();
   cost.figures = figures_from(maxima, sums);
   cost.patches = r.get<SectionWeight>();
-  cost.links_changed = r.get<bool>();
+  cost.links_changed = get_flag(r);
   if (cost.links_changed) cost.links = r.get<SectionWeight>();
   cost.coupled = r.get_all<std::uint32_t>();
   cost.read = r.get_all<ClusterId>();
@@ -107,7 +114,8 @@ void read_iteration(const std::string& run_directory, const CostPlace& place, st
     const std::vector<std::byte> bytes = read_file(path);
     ByteReader r(unsealed(bytes, path), path);
     expect_head(r, path, place);
-    method = r.get<IterationMethod>();
+    method.coarse_correction = get_flag(r);
+    method.jacobi = get_flag(r);
     for (auto n = r.get<std::uint64_t>(); n > 0; --n) {
       const ClusterId cluster = take(r);
       if (cluster.index() >= clusters) incomplete(run_directory, "is of another scene");
@@ -144,7 +152,8 @@ void CostRecorder::add_start(const ClusterState& state) {
 void CostRecorder::write(int iteration) {
   ByteWriter w;
   put_head(w, {run_, iteration, rank_});
-  w.put(method_);
+  w.put(method_.coarse_correction);
+  w.put(method_.jacobi);
   if (iteration == 0) {
     w.put(static_cast<std::uint64_t>(start_.size()));
     for (const auto& [cluster, weight] : start_) {
@@ -166,6 +175,17 @@ void CostRecorder::write(int iteration) {
 void drop_costs(const std::string& run_directory, int committed) {
   for (const std::string& path : files_of(run_directory + "/costs")) {
     if (std::atoi(fs::path(path).filename().c_str()) > committed) remove_directory(path);
+  }
+}
+
+static void take_bands(Recording& recording, const std::string& run_directory) {
+  if (recording.gathers.empty()) return;
+  const auto bands_of = [](const GatherCost& cost) { return cost.figures.absorbed_power.size(); };
+  recording.bands = bands_of(recording.gathers.front().front());
+  for (const auto& gathers : recording.gathers) {
+    for (const GatherCost& cost : gathers)
+      if (bands_of(cost) != recording.bands)
+        incomplete(run_directory, "has gathers of other bands");
   }
 }
 
@@ -206,9 +226,7 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
                      return id;
                    });
   }
-  if (!recording.gathers.empty()) {
-    recording.bands = recording.gathers.front().front().figures.absorbed_power.size();
-  }
+  take_bands(recording, run_directory);
   return recording;
 }
 

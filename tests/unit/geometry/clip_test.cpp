@@ -91,6 +91,19 @@ TEST(Clip, DifferenceAndIntersectionAddUp) {
   }
 }
 
+TEST(Clip, WhatIsLeftBesideManyEdgesLiesInSmallBoxes) {
+  const Polygon whole = square(-2, -2, 2, 2), disc = regular(1000, {0, 0, 0}, 1.0, 0.1);
+  const std::vector<Polygon> left = subtract_coplanar(whole, disc, 1e-9);
+  EXPECT_NEAR(total_area_m2(left) + area_m2(disc), 16.0, 1e-9);
+  // Slivers that all reach to the square's border would have boxes of hundreds of times its area.
+  double boxes = 0.0;
+  for (const Polygon& part : left) {
+    const Vec3 size = bounds(part).hi - bounds(part).lo;
+    boxes += size.x * size.y;
+  }
+  EXPECT_LT(boxes, 3.0 * 16.0);
+}
+
 TEST(Clip, KeepsTheHalvesThatSplitMakes) {
   Random random(17);
   for (int i = 0; i < 200; ++i) {

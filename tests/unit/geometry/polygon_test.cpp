@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "base/random.hpp"
 
 namespace enfilade {
@@ -99,6 +102,29 @@ TEST(Distances, OfABoxAreThoseOfItsFarthestCorner) {
     EXPECT_NEAR(highest_distance(box, plane), highest, 1e-12);
     EXPECT_EQ(plane.flipped().signed_distance(box.lo), -plane.signed_distance(box.lo));
   }
+}
+
+TEST(Polygon, OfManyCornersHoldsWhatLiesLeftOfAllItsEdges) {
+  Polygon disc;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 300;
+    disc.push_back({std::cos(angle), 2.0 * std::sin(angle), 1.0});
+  }
+  Random random(5);
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(2.4 * random.uniform() - 1.2, 4.8 * random.uniform() - 2.4, 1.0);
+    bool left_of_all = true;
+    for (std::size_t k = 0; k < disc.size(); ++k) {
+      const Vec3 &a = disc[k], &b = disc[(k + 1) % disc.size()];
+      left_of_all &= glm::cross(b - a, p - a).z >= 0.0;
+    }
+    EXPECT_EQ(contains(disc, {0, 0, 3}, p), left_of_all) << p.x << " " << p.y;
+    inside += left_of_all ? 1 : 0;
+  }
+  EXPECT_NEAR(inside / 20000.0, std::numbers::pi / 5.76, 0.02);
+  EXPECT_TRUE(contains(disc, {0, 0, 1}, disc[0]));
+  EXPECT_FALSE(contains(disc, {0, 0, 1}, disc[0] + Vec3(1e-4, 0, 0)));
 }
 
 }  // namespace

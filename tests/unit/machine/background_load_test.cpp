@@ -31,6 +31,13 @@ TEST(BackgroundLoad, AProfileComesRoundAgain) {
   EXPECT_DOUBLE_EQ(days.end_s(1015.0, 6.0), 1022.0);
 }
 
+TEST(BackgroundLoad, AShortRoundEndsSoonWheneverItBegins) {
+  const BackgroundLoad busy = load("0 0.5, 1e-9 0, repeat 2e-9");
+  EXPECT_NEAR(busy.end_s(0.0, 1000.0), 4000.0 / 3.0, 1e-6);
+  EXPECT_NEAR(busy.end_s(1e9, 3.0), 1e9 + 4.0, 1e-6);
+  EXPECT_NEAR(load("0 0.5, repeat 1e-300").end_s(5.0, 2.0), 9.0, 1e-9);
+}
+
 TEST(BackgroundLoad, RefusesWhatIsNoLoad) {
   for (const char* text : {"", "1", "-0.1", "much", "0 0.1, 5", "3 0.1", "0 0.1, 5 0.2, 5 0.3",
                            "0 0.1, repeat 0", "repeat 5", "0.2x"}) {

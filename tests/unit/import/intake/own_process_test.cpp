@@ -68,5 +68,16 @@ TEST(OwnProcess, RunsProgramsWithInput) {
   EXPECT_TRUE(run_program({"sleep", "60"}, "", {std::uint64_t{1} << 30, 0.3}).timed_out);
 }
 
+TEST(OwnProcess, KeepsTheEndOfWhatAProgramComplains) {
+  constexpr std::size_t most = ProgramResult::most_errors;
+  const ProgramResult complains = run_program(
+      {"sh", "-c", "head -c 20000000 /dev/zero | tr '\\0' e >&2; printf end >&2; printf out"}, "",
+      {});
+  EXPECT_EQ(complains.errors, std::string(most - 3, 'e') + "end");
+  EXPECT_EQ(complains.output, "out");
+  EXPECT_LE(complains.errors.capacity(), 4 * most);  // at no time was more kept
+  EXPECT_EQ(run_program({"sh", "-c", "printf short >&2"}, "", {}).errors, "short");
+}
+
 }  // namespace
 }  // namespace enfilade
