@@ -159,7 +159,7 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
                                      Random& random, const EmitterSampler::ControlVariate& control,
                                      std::span<const double> weights, Spectrum& e,
                                      std::array<int, 2>& ends) const {
-  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays_in_set()))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
   const int pairs = side * side / 2;
   for (int i = 0; i < side; ++i) {
@@ -225,7 +225,7 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     e[b] += sum[b] / rounds;
     variance[b] += of_rays[b] / (rounds * rounds);
   }
-  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays))));
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays_in_set()))));
   light.front_share = static_cast<double>(ends[0]) / (rounds * side * side);
   light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
 }
@@ -260,7 +260,7 @@ PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
   Spectrum variance(impl_->bands, 0.0), emitted(impl_->bands, 0.0);
   impl_->add_lights({x, n, own, RayStart::in_air}, emitted, variance);
   for (std::size_t b = 0; b < impl_->bands; ++b) e[b] += emitted[b];
-  const int rays = impl_->config.rays;
+  const int rays = impl_->config.rays_in_set();
   const EmitterSampler::Survey survey =
       impl_->emitters.survey(x, n, own, std::min(rays, most_survey_rays), random);
   const EmitterSampler::ControlVariate control = impl_->emitters.add_control_variate(

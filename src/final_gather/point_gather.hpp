@@ -14,7 +14,7 @@
 namespace enfilade {
 
 struct PointGatherConfig {
-  int rays = 512;  ///< in a set, over the hemisphere
+  std::optional<int> rays{};  ///< in a set, over the hemisphere; none: by `patch_error`
   /// A point gets further sets of rays, up to 16, while their noise (standard error) is above this
   /// share of its light and above 2e-5 of the mean irradiance; by default up to twice as much,
   /// where a quarter of the reflected light's error is more. 0 = one set.
@@ -27,6 +27,11 @@ struct PointGatherConfig {
   /// that it comes from.
   double reflected_error = 0.0;
 
+  /// `rays`, or by default from 4096 where the patches are right to 1% down to 512 where they are
+  /// right to 8%: a feature that few rays meet matters by what else is right.
+  int rays_in_set() const {
+    return rays.value_or(static_cast<int>(std::clamp(4096.0 * 0.01 / patch_error, 512.0, 4096.0)));
+  }
   /// `noise`, or by default half of `patch_error` and at most 0.005: less noise would not make the
   /// answer better than the patches are, more would make it worse.
   double least_noise() const { return noise.value_or(std::clamp(0.5 * patch_error, 3e-4, 0.005)); }

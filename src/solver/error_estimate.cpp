@@ -60,7 +60,7 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
   if (sampled == nullptr) return 0.0;
   PointGatherConfig config;
   config.patch_error = patch_error;
-  const double fewer = sampled->plan.sample_rays / static_cast<double>(config.rays);
+  const double fewer = sampled->plan.sample_rays / static_cast<double>(config.rays_in_set());
   const double noise = sample_noise(sampled->figures.error_samples, b) * std::pow(fewer, 0.6);
   return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
 }
