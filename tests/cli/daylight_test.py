@@ -97,7 +97,6 @@ class Daylight(cli_test.InScratch):
             return sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y))
 
         self.check_room(self.rooms(run)[0], factor)
-        self.check_room(self.rooms(run, "--maintenance-factor", 0.8)[0], factor, 0.8)
         page, result = self.rooms(run, name="rooms.html")
         self.assertIn("D median", page)
         self.assertIn("outside", result.stdout)
@@ -130,8 +129,8 @@ class Daylight(cli_test.InScratch):
         row, result = self.rooms(run)
         self.assertEqual(row["daylight_factor_mean"], "")
         self.assertIn("the scene has lamps", result.stdout)
-        row, result = self.rooms(run, "--switch", "lamp=0")
-        self.check_room(row, lambda x, y: sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y)))
+        row, result = self.rooms(run, "--switch", "lamp=0", "--maintenance-factor", 0.8)
+        self.check_room(row, lambda x, y: sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y)), 0.8)
 
     def test_refusals_are_one_line(self):
         lamp = {"type": "point", "p": [2, 2, 1], "intensity": 10}

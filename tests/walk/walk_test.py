@@ -171,41 +171,37 @@ class Lamps(Page):
         for reading, e in zip(self.readings(130), whole):
             self.assertAlmostEqual(reading["value"], e, delta=KEPT * abs(e) + 1e-3, msg=reading)
 
-    def lamps_seen(self):
-        """Each marker that the pointer finds, with the pixel in the middle of where it does."""
-        found = {}
-        for x in range(0, 620, 8):
-            for y in range(0, 636, 8):
-                self.browser.move(x, y)
-                name = self.browser.evaluate("document.getElementById('reading').dataset.lamp ?? ''")
-                if name:
-                    found.setdefault(name, []).append((x, y))
-        return {name: [sum(c) // len(at) for c in zip(*at)] for name, at in found.items()}
+    def marks(self, colour=(255, 211, 77)):
+        """The pixels of the picture that have a marker's colour; full light has the one given."""
+        self.browser.frame()
+        picture = self.browser.screenshot()
+        return picture, [(x, y) for y in range(640) for x in range(620)
+                         if max(abs(a - b) for a, b in zip(picture[y][x], colour)) < 8]
 
     def test_a_lamp_without_a_surface_has_a_marker_that_is_dimmed(self):
-        """Only the spot has none. Its marker stands where the camera sees the light, and has the colour of the dimmer."""
+        """Only the spot has none. Its marker stands in the picture, with its name, and has the brightness of the dimmer."""
         lights = json.loads(self.browser.evaluate("document.getElementById('model').textContent"))["lights"]
         self.assertEqual([light["name"] for light in lights], ["spot"])
         self.enter("1.01")
-        seen = self.lamps_seen()
-        self.assertEqual(list(seen), ["spot"])
-        x, y = seen["spot"]
-        self.browser.frame()
-        picture = self.browser.screenshot()
-        on = picture[y][x]
-        self.assertTrue(on[0] > 230 and on[1] > 180 and on[2] < 120, on)
-        self.assertTrue(any(min(picture[b][a]) > 220 for a in range(max(0, x - 90), x + 90) for b in range(max(0, y - 60), y)),
+        picture, marks = self.marks()
+        x, y = (sum(c) // len(marks) for c in zip(*marks))
+        self.assertTrue(all(math.hypot(a - x, b - y) < 9 for a, b in marks), marks)
+        self.assertGreater(len(marks), 40)
+        self.assertTrue(any(min(picture[b][a]) > 220 for a in range(max(0, x - 90), x + 90) for b in range(max(0, y - 60), y - 8)),
                         "its name stands above it")
+        self.browser.move(x, y)
+        reading = "document.getElementById('reading').textContent"
+        self.assertEqual(self.browser.evaluate(reading), "spot: 100%")
         self.dim("spot", 0)
         self.browser.move(x, y)
-        self.assertEqual(self.browser.evaluate("document.getElementById('reading').textContent"), "spot: 0%")
-        self.browser.frame()
-        off = self.browser.screenshot()[y][x]
-        self.assertLess(max(off), 90, off)
+        self.assertEqual(self.browser.evaluate(reading), "spot: 0%")
+        picture, marks = self.marks()
+        self.assertEqual(marks, [])
+        self.assertLess(max(picture[y][x]), 90)
         self.dim("spot", 1)
-        # Walls hide it: not from the room beside.
+        # A wall hides it from the room beside.
         self.enter("1.02")
-        self.assertEqual(self.lamps_seen(), {})
+        self.assertEqual(self.marks()[1], [])
 
     def test_a_lamp_that_is_off_is_dark_itself(self):
         """The lamp's own face: its luminance follows the slider."""

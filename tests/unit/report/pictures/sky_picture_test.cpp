@@ -1,9 +1,11 @@
 // What a picture shows where its rays leave the building.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "occluders/light_at.hpp"
 #include "report/pictures/render.hpp"
 #include "report/pictures/tone_mapping.hpp"
 #include "scene/pane_law.hpp"
@@ -69,11 +71,11 @@ Camera level() {
   return camera;
 }
 
-/// Direction of the middle of a pixel of the level camera.
-Vec3 direction(int x, int y) {
+/// Direction of a place in the level camera's picture, in pixels.
+Vec3 direction(double x, double y) {
   const double half = std::tan(20.0 * pi / 180.0);
-  return glm::normalize(Vec3(2.0 * half * (2.0 * (x + 0.5) / width - 1.0), 1.0,
-                             half * (1.0 - 2.0 * (y + 0.5) / height)));
+  return glm::normalize(
+      Vec3(2.0 * half * (2.0 * x / width - 1.0), 1.0, half * (1.0 - 2.0 * y / height)));
 }
 
 /// Of the sky by Moon and Spencer, else of a ground of diffuse reflection below all of it.
@@ -87,14 +89,48 @@ TEST(SkyPicture, ShowsTheLuminanceOfSkyAndGround) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const LightImage::Pixel& pixel = image.pixels[static_cast<std::size_t>(y * width + x)];
-      const Vec3 d = direction(x, y);
       if (pixel.cover > 0.0f) continue;  // the floor
-      const double passed = x < width / 2 ? 0.6 * pane_share(d.y) : 1.0;
+      // Luminance is monotone across a pixel: it lies between those of its corners.
+      double least = 1e30, most = 0.0;
+      for (const double dx : {0.001, 0.999}) {
+        for (const double dy : {0.001, 0.999}) {
+          const Vec3 d = direction(x + dx, y + dy);
+          const double passed = x < width / 2 ? 0.6 * pane_share(d.y) : 1.0;
+          least = std::min(least, passed * expected_luminance(d));
+          most = std::max(most, passed * expected_luminance(d));
+        }
+      }
       EXPECT_EQ(pixel.sky, 1.0f);
-      EXPECT_NEAR(pixel.radiosity[0], pi * passed * expected_luminance(d),
-                  0.01 * pixel.radiosity[0])
-          << x << ", " << y;
+      EXPECT_LT(most, 1.1 * least);
+      EXPECT_GT(pixel.radiosity[0], 0.9999 * pi * least) << x << ", " << y;
+      EXPECT_LT(pixel.radiosity[0], 1.0001 * pi * most) << x << ", " << y;
       EXPECT_EQ(pixel.irradiance, 0.0f);
+    }
+  }
+}
+
+TEST(SkyPicture, TheFloorHasTheSkysLight) {
+  const Terrace terrace;
+  Camera camera;
+  camera.eye = {0, 0, 2};
+  camera.look_at = {0, 0, 0};
+  camera.up = {0, 1, 0};
+  camera.parallel_height_m = 1.5;
+  RenderConfig config;
+  config.width = config.height = 48;
+  config.samples = 1;
+  const LightImage image =
+      render({terrace.scene, terrace.cells, terrace.clusters, terrace.states, terrace.occluders},
+             camera, config);
+  for (const int x : {6, 20, 33, 46}) {
+    for (const int y : {5, 24, 40}) {
+      const Vec3 p(1.5 * ((x + 0.5) / 48 - 0.5), 1.5 * (0.5 - (y + 0.5) / 48), 0.0);
+      double expected = 0.0;
+      for (const LightSource& light : terrace.scene.lights)
+        expected +=
+            light.intensity[0] * light_at(light, {p, {0, 0, 1}, 0}, terrace.occluders).irradiance;
+      EXPECT_NEAR(image.pixels[static_cast<std::size_t>(48 * y + x)].irradiance, expected,
+                  0.02 * expected);
     }
   }
 }
