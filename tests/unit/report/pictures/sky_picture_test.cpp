@@ -101,7 +101,7 @@ TEST(SkyPicture, ShowsTheLuminanceOfSkyAndGround) {
         }
       }
       EXPECT_EQ(pixel.sky, 1.0f);
-      EXPECT_LT(most, 1.1 * least);
+      EXPECT_LT(most, 1.2 * least);
       EXPECT_GT(pixel.radiosity[0], 0.9999 * pi * least) << x << ", " << y;
       EXPECT_LT(pixel.radiosity[0], 1.0001 * pi * most) << x << ", " << y;
       EXPECT_EQ(pixel.irradiance, 0.0f);
