@@ -305,6 +305,12 @@ class Whole(Page):
         run = self.scratch / "without"
         enfilade("solve", self.scratch / "scene.json", "-o", run, "--target-error", "0.3", "--no-walk")
         self.assertFalse((run / "walk.html").exists())
+        report = ("report", run, "-o", self.scratch / "report.html", "--no-rooms")
+        enfilade(*report, "--no-walk")
+        self.assertFalse((run / "walk.html").exists())
+        enfilade(*report)
+        self.assertTrue((run / "walk.html").exists())
+        self.assertIn('href="without/walk.html"', (self.scratch / "report.html").read_text(encoding="utf-8"))
         enfilade("walk", run, "-o", self.scratch / "own.html")
         self.assertIn("application/json", (self.scratch / "own.html").read_text(encoding="utf-8"))
 
