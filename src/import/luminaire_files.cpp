@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "base/error.hpp"
 #include "json/json_text.hpp"
@@ -40,7 +41,7 @@ class Catalogue {
     }
     std::sort(paths.begin(), paths.end());
     for (const std::string& path : paths)
-      by_key_.emplace(key_of(fs::path(path).stem().string()), path);
+      by_key_[key_of(fs::path(path).stem().string())].push_back(path);
     files_ = paths.size();
     if (paths.empty()) {
       throw InputError(folder, "--luminaires", "holds no photometric file",
@@ -50,7 +51,23 @@ class Catalogue {
 
   std::size_t files() const { return files_; }
 
-  /// None where no file has the name or a part of it.
+  /// Warns of each faulty file that no lamp asked for.
+  void try_others() {
+    for (const auto& [key, paths] : by_key_) {
+      if (read_.contains(key)) continue;
+      Warnings unused;
+      for (const std::string& path : paths) {
+        try {
+          read(path, unused);
+        } catch (const InputError& error) {
+          leave_out(error);
+        }
+      }
+    }
+  }
+
+  /// None where no file has the name or a part of it. Throws InputError where all files that have
+  /// it are faulty.
   const PhotometricFile* find(const std::string& name) {
     if (const PhotometricFile* whole = of_key(key_of(name))) return whole;
     for (std::size_t at = 0; at < name.size();) {
@@ -63,25 +80,46 @@ class Catalogue {
 
  private:
   const PhotometricFile* of_key(const std::string& key) {
-    const auto path = by_key_.find(key);
-    if (key.empty() || path == by_key_.end()) return nullptr;
+    const auto paths = by_key_.find(key);
+    if (key.empty() || paths == by_key_.end()) return nullptr;
     const auto known = read_.find(key);
     if (known != read_.end()) return &known->second;
-    ModelFiles files(path->second, false);
+    std::optional<InputError> first;
+    for (const std::string& path : paths->second) {
+      try {
+        Warnings own;
+        const PhotometricFile* file = &read_.emplace(key, read(path, own)).first->second;
+        for (const Warning& w : own.all()) warnings_.add(w.where, w.what);
+        return file;
+      } catch (const InputError& error) {
+        leave_out(error);
+        if (!first) first = error;
+      }
+    }
+    throw InputError(*first);
+  }
+
+  void leave_out(const InputError& error) {
+    const std::string what = error.what();
+    const std::string named = error.file() + ": ";
+    warnings_.add(error.file(), "faulty photometric file, left out: " +
+                                    (what.starts_with(named) ? what.substr(named.size()) : what));
+  }
+
+  static PhotometricFile read(const std::string& path, Warnings& warnings) {
+    ModelFiles files(path, false);
     const auto beside = [&](const std::string& name) -> std::optional<std::string> {
-      const std::string side = ModelFiles::path_from(path->second, name);
+      const std::string side = ModelFiles::path_from(path, name);
       if (!files.allowed(side) || !ModelFiles::exists(side)) return std::nullopt;
-      return files.read(side, {path->second, "TILT"});
+      return files.read(side, {path, "TILT"});
     };
-    const std::string& bytes = files.read_model();
-    return &read_.emplace(key, read_photometric_file(bytes, path->second, warnings_, beside))
-                .first->second;
+    return read_photometric_file(files.read_model(), path, warnings, beside);
   }
 
   std::string folder_;
   Warnings& warnings_;
   std::size_t files_ = 0;
-  std::map<std::string, std::string> by_key_;
+  std::map<std::string, std::vector<std::string>> by_key_;  ///< paths, ascending
   std::map<std::string, PhotometricFile> read_;
 };
 
@@ -159,6 +197,7 @@ LuminaireMatches match_luminaires(Scene& scene, const std::string& folder, Warni
       ++missing[light.name];
     }
   }
+  catalogue.try_others();
   take_back(warnings, lit);
   for (const auto& [name, count] : missing) {
     warnings.add("lamp type " + in_quotes(name) + " (" + std::to_string(count) + " of them)",

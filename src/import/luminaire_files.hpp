@@ -18,7 +18,9 @@ struct LuminaireMatches {
 /// but letters and digits, do not count; where no file has the whole name of a type, a part of it
 /// between colons will do ("Family:Type:1234"). A flux that the model tells scales the file's.
 /// Warns of names without a file, and takes back from `warnings` that a matched lamp stays dark.
-/// Throws InputError for a folder that is not there or has no such file, and for a faulty file.
+/// A
+/// faulty file is left out with a warning. Throws InputError for a folder that is not there or has
+/// no such file, and where a lamp has faulty files alone.
 LuminaireMatches match_luminaires(Scene& scene, const std::string& folder, Warnings& warnings);
 
 }  // namespace enfilade

@@ -187,6 +187,27 @@ std::vector<double> Sky::horizontal(bool with_sun) const {
   return e;
 }
 
+std::vector<double> far_luminance(std::span<const LightSource> lights, const Vec3& direction) {
+  const Vec3 toward = glm::normalize(direction);
+  std::vector<double> luminance;
+  for (const LightSource& light : lights) {
+    if (!light.is_far()) continue;
+    luminance.resize(light.intensity.size(), 0.0);
+    double per_intensity = 0.0;
+    if (light.sky) {
+      if (glm::dot(toward, light.sky->zenith) > 0.0)
+        per_intensity = light.luminance_per_intensity * light.sky->relative(toward);
+    } else if (glm::dot(toward, -light.frame.aim) > std::cos(sun_radius)) {
+      // A disc of this area, seen at right angles, gives the illuminance intensity / far_m^2.
+      const double tangent = std::tan(sun_radius);
+      per_intensity = 1.0 / (pi * tangent * tangent * light.far_m * light.far_m);
+    }
+    for (std::size_t b = 0; b < luminance.size(); ++b)
+      luminance[b] += per_intensity * light.intensity[b];
+  }
+  return luminance;
+}
+
 void make_sky_lights(Scene& scene) {
   if (!scene.sky) return;
   const Sky& sky = *scene.sky;

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/geometry.hpp"
 
 namespace enfilade {
 
+struct LightSource;
 struct Scene;
 
 /// Luminance by direction, relative to the zenith's: phi(Z) f(chi) / (phi(0) f(Zs)) with the
@@ -48,5 +50,9 @@ struct Sky {
 /// Adds the scene's sky to its lights: a dome far beyond it, the ground below the horizon, and the
 /// sun's disc.
 void make_sky_lights(Scene& scene);
+
+/// Returns the luminance per band of the sky, the ground and the sun's disc in a direction of any
+/// length, of those that are among the lights.
+std::vector<double> far_luminance(std::span<const LightSource> lights, const Vec3& direction);
 
 }  // namespace enfilade

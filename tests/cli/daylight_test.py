@@ -35,11 +35,11 @@ EXPECTED = [4 * of_corner(2, 2, 3), sum(of_corner(a, b, 3) for a in (1, 3) for b
 
 
 class Daylight(cli_test.InScratch):
-    def solve(self, scene):
+    def solve(self, scene, *options):
         path = self.scratch / "scene.json"
         path.write_text(json.dumps(scene))
         run = self.scratch / "run"
-        result = enfilade("solve", path, "-o", run, "--no-pictures")
+        result = enfilade("solve", path, "-o", run, "--no-pictures", *options)
         self.assertEqual(result.returncode, 0, result.stderr)
         return run, path
 
@@ -66,6 +66,71 @@ class Daylight(cli_test.InScratch):
             # Dimmed by the angle, at most by a tenth here.
             self.assertLess(whole, 80 * expected)
             self.assertGreater(whole, 72 * expected)
+
+    def rooms(self, run, *options, name="rooms.csv"):
+        out = self.scratch / name
+        result = enfilade("rooms", run, "-o", out, "--no-cylindrical", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        if name.endswith(".html"):
+            return out.read_text(), result
+        with out.open(newline="", encoding="utf-8") as file:
+            return next(csv.DictReader(file)), result
+
+    def check_room(self, row, factor, scale=1.0):
+        """The row's factors against `factor(x, y)` of the points of its grid, which is square and evenly spaced."""
+        side = math.isqrt(int(row["points"]))
+        self.assertEqual(side * side, int(row["points"]))
+        zone = float(row["wall_zone_m"])
+        at = [zone + (i + 0.5) * (4 - 2 * zone) / side for i in range(side)]
+        expected = sorted(100 * scale * factor(x, y) for x in at for y in at)
+        middle = (expected[(len(expected) - 1) // 2] + expected[len(expected) // 2]) / 2
+        for name, value in (("mean", sum(expected) / len(expected)), ("minimum", expected[0]), ("median", middle)):
+            found, error = (float(row[f"daylight_factor_{name}{tail}"]) for tail in ("", "_error"))
+            self.assertAlmostEqual(found, value, delta=1e-3 * value, msg=name)
+            self.assertLess(error, 5e-3 * value)
+
+    def test_rooms_under_a_uniform_sky(self):
+        rooms = [{"name": "court", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "z": [0, 3]}]
+        run, _ = self.solve(roofless(rooms=rooms))
+
+        def factor(x, y):
+            return sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y))
+
+        self.check_room(self.rooms(run)[0], factor)
+        page, result = self.rooms(run, name="rooms.html")
+        self.assertIn("D median", page)
+        self.assertIn("outside", result.stdout)
+        report = self.scratch / "report.html"
+        self.assertEqual(enfilade("report", run, "-o", report, "--no-pictures").returncode, 0)
+        self.assertIn("D median", report.read_text())
+
+    def test_rooms_under_an_overcast_sky(self):
+        rooms = [{"name": "court", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "z": [0, 3]}]
+        run, _ = self.solve(roofless(rooms=rooms, sky={"type": "overcast", "horizontal_illuminance": 5000}))
+        steps = 80
+
+        def factor(x, y):
+            """Cells of the opening: cos^2 / (pi r^2) times the luminance over the mean, 7/9 of the zenith's."""
+            total = 0.0
+            for i in range(steps):
+                for k in range(steps):
+                    dx, dy = (i + 0.5) * 4 / steps - x, (k + 0.5) * 4 / steps - y
+                    square = dx * dx + dy * dy + 2.25 * 2.25
+                    cosine = 2.25 / math.sqrt(square)
+                    total += cosine ** 2 / square * (1 + 2 * cosine) / 3 * 9 / 7
+            return total * (4 / steps) ** 2 / math.pi
+
+        self.check_room(self.rooms(run)[0], factor)
+
+    def test_rooms_with_lamps_have_none_until_these_are_off(self):
+        rooms = [{"name": "court", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "z": [0, 3]}]
+        lamp = {"type": "point", "p": [2, 2, 2], "intensity": 500, "name": "lamp"}
+        run, _ = self.solve(roofless(rooms=rooms, lights=[lamp]), "--shares")
+        row, result = self.rooms(run)
+        self.assertEqual(row["daylight_factor_mean"], "")
+        self.assertIn("the scene has lamps", result.stdout)
+        row, result = self.rooms(run, "--switch", "lamp=0", "--maintenance-factor", 0.8)
+        self.check_room(row, lambda x, y: sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y)), 0.8)
 
     def test_refusals_are_one_line(self):
         lamp = {"type": "point", "p": [2, 2, 1], "intensity": 10}

@@ -76,6 +76,28 @@ class Luminaires(InModel):
         self.assertIn(scene["luminaires"][0]["distribution"], scene["distributions"])
         self.assertNotIn("lights", scene)
 
+    def test_faulty_files_are_left_out_unless_a_lamp_needs_them(self):
+        (self.scratch / "photometry").mkdir()
+        self.write("photometry/bulb.ies", ies(power=2))
+        self.write("photometry/other.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 91 1 1 2 0 0 0\n1 1\n")
+        self.write("photometry/third.ldt", "nothing")
+        model = self.gltf(lambda m: [n.update(name="bulb") for n in m["nodes"] if "extensions" in n])
+        result, scene = self.imported(model, "--luminaires", self.scratch / "photometry")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"(?m)^  lamps matched +1 of 1$")
+        for name in ("other.ies", "third.ldt"):
+            self.assertEqual(sum(name in line for line in result.stderr.splitlines()), 1, result.stderr)
+        self.assertNotIn("bulb.ies", result.stderr)
+        # Another file of the same name will do; without one the lamp has no light to be imported with.
+        self.write("photometry/Bulb.ies", "nothing")
+        result, scene = self.imported(model, "--luminaires", self.scratch / "photometry")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Bulb.ies", result.stderr)
+        self.assertEqual(len(scene["luminaires"]), 1)
+        (self.scratch / "photometry/bulb.ies").unlink()
+        result, _ = self.imported(model, "--luminaires", self.scratch / "photometry")
+        self.assert_refused(result, "Bulb.ies")
+
 
 if __name__ == "__main__":
     cli_test.ENFILADE = cli_test.ENFILADE or sys.argv.pop(1)

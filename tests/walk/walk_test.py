@@ -171,6 +171,38 @@ class Lamps(Page):
         for reading, e in zip(self.readings(130), whole):
             self.assertAlmostEqual(reading["value"], e, delta=KEPT * abs(e) + 1e-3, msg=reading)
 
+    def marks(self, colour=(255, 211, 77)):
+        """The pixels of the picture that have a marker's colour; full light has the one given."""
+        self.browser.frame()
+        picture = self.browser.screenshot()
+        return picture, [(x, y) for y in range(640) for x in range(620)
+                         if max(abs(a - b) for a, b in zip(picture[y][x], colour)) < 8]
+
+    def test_a_lamp_without_a_surface_has_a_marker_that_is_dimmed(self):
+        """Only the spot has none. Its marker stands in the picture, with its name, and has the brightness of the dimmer."""
+        lights = json.loads(self.browser.evaluate("document.getElementById('model').textContent"))["lights"]
+        self.assertEqual([light["name"] for light in lights], ["spot"])
+        self.enter("1.01")
+        picture, marks = self.marks()
+        x, y = (sum(c) // len(marks) for c in zip(*marks))
+        self.assertTrue(all(math.hypot(a - x, b - y) < 9 for a, b in marks), marks)
+        self.assertGreater(len(marks), 40)
+        self.assertTrue(any(min(picture[b][a]) > 220 for a in range(max(0, x - 90), x + 90) for b in range(max(0, y - 60), y - 8)),
+                        "its name stands above it")
+        self.browser.move(x, y)
+        reading = "document.getElementById('reading').textContent"
+        self.assertEqual(self.browser.evaluate(reading), "spot: 100%")
+        self.dim("spot", 0)
+        self.browser.move(x, y)
+        self.assertEqual(self.browser.evaluate(reading), "spot: 0%")
+        picture, marks = self.marks()
+        self.assertEqual(marks, [])
+        self.assertLess(max(picture[y][x]), 90)
+        self.dim("spot", 1)
+        # A wall hides it from the room beside.
+        self.enter("1.02")
+        self.assertEqual(self.marks()[1], [])
+
     def test_a_lamp_that_is_off_is_dark_itself(self):
         """The lamp's own face: its luminance follows the slider."""
         self.enter("1.02")
@@ -273,6 +305,12 @@ class Whole(Page):
         run = self.scratch / "without"
         enfilade("solve", self.scratch / "scene.json", "-o", run, "--target-error", "0.3", "--no-walk")
         self.assertFalse((run / "walk.html").exists())
+        report = ("report", run, "-o", self.scratch / "report.html", "--no-rooms")
+        enfilade(*report, "--no-walk")
+        self.assertFalse((run / "walk.html").exists())
+        enfilade(*report)
+        self.assertTrue((run / "walk.html").exists())
+        self.assertIn('href="without/walk.html"', (self.scratch / "report.html").read_text(encoding="utf-8"))
         enfilade("walk", run, "-o", self.scratch / "own.html")
         self.assertIn("application/json", (self.scratch / "own.html").read_text(encoding="utf-8"))
 

@@ -33,7 +33,9 @@ constexpr SubcommandText rooms_help{
     "it is\n"
     "met; error is one standard deviation of the mean, everything counted. rooms.html has the "
     "same,\n"
-    "sortable, and a plan of each room in false colour with isolux lines.\n\n"
+    "sortable, and a plan of each room in false colour with isolux lines. Where a sky without sun "
+    "is\n"
+    "the only light, daylight factors (mean, minimum, median; percent) follow.\n\n"
     "places.json for --ugr-at is {\"places\": [{\"name\": \"desk\", \"p\": [x,y,z], \"direction\": "
     "[x,y,z]}]};\n"
     "each gets its UGR (CIE 117) in a second file, rooms-ugr.csv, and in the page."};
@@ -90,6 +92,10 @@ void print_summary(const RoomsOptions& options, const RoomTable& table, const Co
   text.add("unit", table.unit);
   if (!table.weights.empty()) text.add("bands as one", table.weights);
   text.add("maintenance", fmt::format("factor {:g}", table.maintenance_factor));
+  if (table.outside > 0.0)
+    text.add("outside", fmt::format("{:.5g} {}, for daylight factors", table.outside, table.unit));
+  if (!table.no_daylight_factor.empty())
+    text.add("daylight factors", "none: " + table.no_daylight_factor);
   if (asked > 0)
     text.add("asked light",
              fmt::format("met in {} of {} rooms, within the error in {}", met, asked, unsure));

@@ -5,9 +5,8 @@
 
 namespace enfilade {
 
-/// Fills the daylight factors of the answers, percent: irradiance over that of an unobstructed
-/// horizontal plane under the scene's sky, sunlight left out (CIE S 017). Throws InputError that
-/// names `run` where the scene has no sky, or light besides it.
+/// Fills the daylight factors of the answers, percent: irradiance over light_outside(). Throws
+/// InputError that names `run` where there is none.
 void add_daylight_factors(const std::string& run, const Scene& scene,
                           std::vector<ProbeAnswer>& answers);
 

@@ -1,8 +1,21 @@
 #include "app/outputs/room_survey.hpp"
 
 #include "report/pictures/one_value.hpp"
+#include "scene/daylight.hpp"
 
 namespace enfilade {
+namespace {
+
+void set_outside(const Scene& scene, RoomTable& table) {
+  const LightOutside outside = light_outside(scene);
+  if (!outside.horizontal.empty()) {
+    table.outside = one_value(scene, outside.horizontal);
+  } else if (scene.sky) {
+    table.no_daylight_factor = outside.obstacle + "; " + outside.remedy;
+  }
+}
+
+}  // namespace
 
 std::vector<SurveyRoom> rooms_of_run(const SolvedRun& run) {
   const Scene& scene = run.prepared().scene;
@@ -27,6 +40,7 @@ RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const
   table.maintenance_factor = config.maintenance_factor;
   table.plane_m = config.plane_m;
   table.cylindrical_m = config.cylindrical_m;
+  set_outside(scene, table);
   table.rooms = survey_rooms(surveyed, rooms_of_run(run), config, progress);
   table.glare = glare_at(surveyed, places, config.maintenance_factor, progress);
   return table;

@@ -27,7 +27,11 @@ std::string walk_page(const SolvedRun& run, const std::string& run_directory,
   LightShares shares;
   if (read_share_index(run_directory))
     shares = read_light_shares(run_directory, run.prepared(), solved.states);
-  for (const ShareGroup& group : shares.groups) subject.shares.names.push_back(group.name);
+  subject.shares.of_light.assign(solved.scene.lights.size(), shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    subject.shares.names.push_back(shares.groups[i].name);
+    for (const std::size_t light : shares.groups[i].lights) subject.shares.of_light[light] = i;
+  }
   subject.shares.clusters = shares.clusters;
   return walk_html(subject, program);
 }

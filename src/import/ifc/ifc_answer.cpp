@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "import/ifc/floor_outline.hpp"
 #include "import/intake/mesh_surfaces.hpp"
+#include "import/intake/pane_bodies.hpp"
 #include "json/json_text.hpp"
 
 namespace enfilade {
@@ -153,7 +154,13 @@ class AnswerReader {
       }
     }
     turn_outward(parts);
-    for (const auto& [mesh, material] : parts) surfaces_.add(mesh, material);
+    for (const auto& [mesh, material] : parts) {
+      const std::size_t first = scene_.surfaces.size();
+      surfaces_.add(mesh, material);
+      // An open shape is a sheet of glass, which light passes once.
+      if (!material.transmittance.empty() && !material.two_sided)
+        merge_pane_bodies(scene_.surfaces, first);
+    }
   }
 
   std::uint32_t corner_of(const Json& corner, const ModelMesh& mesh) const {
@@ -183,9 +190,8 @@ class AnswerReader {
     const bool told = element.contains("transmittance");
     if (told && (passing > 0.0 || colour.is_null()))
       passing = std::clamp(element.at("transmittance").get<double>(), 0.0, 1.0);
-    // Light passes two faces of a body of glass.
     if (passing > 0.0) {
-      material.transmittance.assign(3, std::sqrt(passing));
+      material.transmittance.assign(3, passing);
       material.reflectance.assign(3, 0.0);
     }
     return material;

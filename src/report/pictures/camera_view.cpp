@@ -52,12 +52,12 @@ CameraView::Seen CameraView::at(double x, double y) const {
   std::uint32_t skip = RayScene::no_polygon;
   for (int culled = 0; culled < 256; ++culled) {
     const Met met = first_seen(looking, skip);
-    if (!met.hit.any()) return {};
+    if (!met.hit.any()) return leaving(looking, skip);
     if (camera_.cut_above_m && culled == 0 && !met.hit.front && inside_solid(looking.from))
-      return {Seen::What::section, RayScene::no_polygon, {}, {}};
+      return {Seen::What::section, RayScene::no_polygon, {}};
     if (!camera_.cut_above_m || (met.hit.front && !outer(met.hit.polygon))) {
-      Seen seen{met.hit.front ? Seen::What::front : Seen::What::back, met.hit.polygon, met.p, {}};
-      if (solved_.occluders.panes().any()) find_panes(looking, met, skip, seen);
+      Seen seen{met.hit.front ? Seen::What::front : Seen::What::back, met.hit.polygon, met.p};
+      if (solved_.occluders.panes().any()) find_panes(looking, met.hit.distance_m, skip, seen);
       return seen;
     }
     looking.from = met.p;
@@ -66,9 +66,18 @@ CameraView::Seen CameraView::at(double x, double y) const {
   return {};
 }
 
-void CameraView::find_panes(const Ray& ray, const Met& met, std::uint32_t skip, Seen& seen) const {
+CameraView::Seen CameraView::leaving(const Ray& ray, std::uint32_t skip) const {
+  Seen seen;
+  if (camera_.cut_above_m || camera_.parallel_height_m > 0.0) return seen;
+  seen.outward = ray.direction;
+  if (solved_.occluders.panes().any()) find_panes(ray, far_away_m, skip, seen);
+  return seen;
+}
+
+void CameraView::find_panes(const Ray& ray, double distance_m, std::uint32_t skip,
+                            Seen& seen) const {
   for (const PaneMet& pane :
-       solved_.occluders.panes_along(ray.from, ray.direction, met.hit.distance_m, skip)) {
+       solved_.occluders.panes_along(ray.from, ray.direction, distance_m, skip)) {
     seen.panes.push_back({pane, ray.from + pane.distance_m * glm::normalize(ray.direction)});
   }
 }

@@ -26,6 +26,9 @@ class CameraView {
       Vec3 p{0.0};  ///< on the pane
     };
     std::vector<Pane> panes{};  ///< between, from the nearest on
+    /// Of a ray that leaves the building: where to. Zero where a cut or a parallel projection makes
+    /// a drawing of the picture, which has no sky.
+    Vec3 outward{0.0};
   };
   /// Returns what is seen at a place of the picture, whose edges are at -1 and 1; y points up.
   /// Section: the inside of a solid at the cut.
@@ -43,7 +46,8 @@ class CameraView {
 
   Ray ray(double x, double y) const;
   Met first_seen(const Ray& ray, std::uint32_t skip) const;
-  void find_panes(const Ray& ray, const Met& met, std::uint32_t skip, Seen& seen) const;
+  void find_panes(const Ray& ray, double distance_m, std::uint32_t skip, Seen& seen) const;
+  Seen leaving(const Ray& ray, std::uint32_t skip) const;
   bool go_to_cut(Ray& ray) const;
   bool inside_solid(const Vec3& p) const;
   bool outer(std::uint32_t polygon) const;

@@ -32,7 +32,7 @@ class QuickGather {
   /// with unit normal n.
   void add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                   std::span<double> e) const;
-  /// Adds that of all other surfaces, by rays.
+  /// Adds that of all other surfaces, and of the sky, whose shadows are soft, by rays.
   void add_reflected(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                      std::span<double> e) const;
 
@@ -43,6 +43,7 @@ class QuickGather {
     const PatchForest* forest;
     std::uint32_t k;
   };
+  void add_sky(const LitPlace& place, Random& random, std::span<double> e) const;
   void add_emitter(const Emitter& emitter, const LitPlace& place, double factor, int rays,
                    Random& random, std::span<double> e) const;
 

@@ -11,6 +11,8 @@ namespace {
 /// Emitters that may give a smaller share of a place's direct light get one shadow ray.
 constexpr double large_share = 0.05;
 constexpr int shadow_rays = 6;
+/// To a dome of the sky, in as many strata: a window shows only a part of it.
+constexpr int sky_rays = 256;
 
 /// The mean radiosity per band of a polygon.
 double mean_radiosity(const PatchForest& forest, std::uint32_t k, std::size_t band) {
@@ -70,6 +72,7 @@ void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Ra
     add_emitter(*emitter, place, factor, large ? shadow_rays : 1, random, e);
   }
   for (const LightSource& light : solved_.scene.lights) {
+    if (light.sky) continue;
     const int rays = light.opening.empty() ? 1 : shadow_rays;
     for (int i = 0; i < rays; ++i) {
       const double r1 = random.uniform(), r2 = random.uniform();
@@ -80,11 +83,25 @@ void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Ra
   }
 }
 
+/// The facets of a dome follow each other in space, so that strata of their list are parts of it.
+void QuickGather::add_sky(const LitPlace& place, Random& random, std::span<double> e) const {
+  for (const LightSource& light : solved_.scene.lights) {
+    if (!light.sky) continue;
+    for (int i = 0; i < sky_rays; ++i) {
+      const double r1 = (i + random.uniform()) / sky_rays, r2 = random.uniform();
+      const LightAtPoint found = light_by_one_ray(light, place, solved_.occluders, r1, r2);
+      for (std::size_t band = 0; band < e.size(); ++band)
+        e[band] += found.band(band) / sky_rays * light.intensity[band];
+    }
+  }
+}
+
 void QuickGather::add_reflected(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                                 std::span<double> e) const {
   const Vec3 from = p + 2.0 * solved_.occluders.rays().epsilon_m() * n;
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(rays_))));
   std::vector<double> radiosity(e.size());
+  add_sky({from, n, own, RayStart::in_air}, random, e);
   for (int i = 0; i < side * side; ++i) {
     const double r2 = (i / side + random.uniform()) / side;
     const double turn = (i % side + random.uniform()) / side;

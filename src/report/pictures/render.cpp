@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "base/memory_wanted.hpp"
 #include "base/random.hpp"
@@ -69,6 +70,7 @@ class Painter {
     for (float& r : pixel.radiosity) r *= factor;
     pixel.irradiance *= factor;
     pixel.cover *= factor;
+    pixel.sky *= factor;
     pixel.section *= factor;
   }
 
@@ -89,13 +91,14 @@ class Painter {
       if (!pane.met.front) continue;
       const float behind = pixel.irradiance;  // that of what is seen through the pane counts
       Known of_pane;
-      add_light({What::front, pane.met.polygon, pane.p, {}}, pane.met.before, at, turn, pixel,
-                of_pane);
+      add_light({What::front, pane.met.polygon, pane.p}, pane.met.before, at, turn, pixel, of_pane);
       pixel.irradiance = behind;
     }
     const Passage passage = seen.panes.empty() ? Passage() : seen.panes.back().met.behind;
     if (seen.what == What::front) add_light(seen, passage, at, turn, pixel, known);
     if (seen.what == What::front || seen.what == What::back) pixel.cover += 1.0f;
+    if (seen.what == What::nothing && seen.outward != Vec3(0.0))
+      add_sky(seen.outward, passage, pixel);
     return seen.polygon;
   }
 
@@ -107,6 +110,20 @@ class Painter {
     }
     e = known.e;
     return true;
+  }
+
+  void add_sky(const Vec3& direction, const Passage& passage, LightImage::Pixel& pixel) const {
+    Spectrum b = far_luminance(solved_.scene.lights, direction);
+    if (b.empty()) return;
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] *= std::numbers::pi * passage.band(i);
+    add_radiosity(b, pixel);
+    pixel.sky += 1.0f;
+  }
+
+  void add_radiosity(const Spectrum& b, LightImage::Pixel& pixel) const {
+    const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
+    for (std::size_t c = 0; c < 3; ++c)
+      pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
   }
 
   /// `passage`: what the panes before it pass.
@@ -122,9 +139,7 @@ class Painter {
     if (!gathered && config_.smooth) smooth_irradiance(forest, ref.polygon, seen.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] = passage.band(i) * (frame.exitance[i] + frame.reflectance[i] * b[i]);
-    const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
-    for (std::size_t c = 0; c < 3; ++c)
-      pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
+    add_radiosity(b, pixel);
     pixel.irradiance += static_cast<float>(std::max(0.0, one_value(solved_.scene, e)));
   }
 

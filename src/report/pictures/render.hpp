@@ -25,13 +25,14 @@ struct RenderConfig {
   std::uint64_t seed = 1;
 };
 
-/// Radiosity and irradiance of each pixel, as red, green and blue (see display_rgb), rows from
-/// the top.
+/// Radiosity (of the sky: pi times its luminance) and irradiance of each pixel, as red, green and
+/// blue (see display_rgb), rows from the top.
 struct LightImage {
   struct Pixel {
     float radiosity[3] = {0, 0, 0};
     float irradiance = 0;  ///< as one value (one_value.hpp)
     float cover = 0;       ///< share of the samples that met a surface
+    float sky = 0;         ///< share that left the building under its sky
     float section = 0;     ///< share that met the inside of a solid at the cut
   };
   int width = 0, height = 0;

@@ -73,19 +73,26 @@ Bitmap tone_mapped(const LightImage& image, const ToneConfig& config) {
   constexpr std::array<double, 3> background{0.80, 0.83, 0.87}, section{0.035, 0.04, 0.05};
   std::vector<std::pair<double, double>> luminances;
   const auto light_of = [](const LightImage::Pixel& p) {
-    const double n = p.cover > 0.0f ? 1.0 / p.cover : 0.0;
+    const double lit = p.cover + p.sky, n = lit > 0.0 ? 1.0 / lit : 0.0;
     return std::array<double, 3>{n * p.radiosity[0], n * p.radiosity[1], n * p.radiosity[2]};
   };
-  for (const auto& p : image.pixels) luminances.emplace_back(luminance(light_of(p)), p.cover);
+  // The exposure is for what stands in the picture: a sky behind windows may burn out. Where it
+  // shows the sky alone, it is for the sky.
+  const bool things = std::ranges::any_of(
+      image.pixels, [](const auto& p) { return p.cover > 0.0f && p.sky == 0.0f; });
+  for (const auto& p : image.pixels) {
+    const double weight = !things ? p.cover + p.sky : p.sky > 0.0f ? 0.0f : p.cover;
+    luminances.emplace_back(luminance(light_of(p)), weight);
+  }
   const ToneMap map(std::move(luminances), config);
   Bitmap bitmap(image.width, image.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const auto& p = image.pixels[i];
     const std::array<double, 3> shown = map(light_of(p));
-    const double empty = std::max(0.0, 1.0 - p.cover - p.section);
+    const double empty = std::max(0.0, 1.0 - p.cover - p.sky - p.section);
     for (std::size_t c = 0; c < 3; ++c) {
       bitmap.pixels[i][c] =
-          srgb8(p.cover * shown[c] + p.section * section[c] + empty * background[c]);
+          srgb8((p.cover + p.sky) * shown[c] + p.section * section[c] + empty * background[c]);
     }
   }
   return bitmap;

@@ -55,12 +55,19 @@ std::string room_at(std::span<const RoomFigures> rooms, const Vec3& p) {
   return {};
 }
 
+std::optional<Estimate> daylight_factor(const RoomTable& table, const std::optional<Estimate>& e) {
+  if (!e || !(table.outside > 0.0)) return std::nullopt;
+  return Estimate{100.0 * e->value / table.outside, 100.0 * e->error / table.outside};
+}
+
 std::string rooms_csv(const RoomTable& table) {
   std::string csv =
       "room,long_name,storey,area_m2,height_m,points,points_in_furniture,points_without_floor,"
       "spacing_m,wall_zone_m,plane_m,unit,mean,minimum,maximum,u0,error,minimum_error,"
       "maximum_error,u0_error,walls,walls_error,ceiling,ceiling_error,cylindrical,"
-      "cylindrical_error,required,verdict,ugr,maintenance_factor,weights\n";
+      "cylindrical_error,daylight_factor_mean,daylight_factor_mean_error,daylight_factor_minimum,"
+      "daylight_factor_minimum_error,daylight_factor_median,daylight_factor_median_error,required,"
+      "verdict,ugr,maintenance_factor,weights\n";
   for (const RoomFigures& f : table.rooms) {
     Line line(csv);
     line.text(f.room.name);
@@ -78,6 +85,8 @@ std::string rooms_csv(const RoomTable& table) {
     for (const auto* figure : {&f.mean, &f.minimum, &f.maximum, &f.u0}) line.value(*figure);
     for (const auto* figure : {&f.mean, &f.minimum, &f.maximum, &f.u0}) line.error(*figure);
     for (const auto* figure : {&f.walls, &f.ceiling, &f.cylindrical}) line.both(*figure);
+    for (const auto* figure : {&f.mean, &f.minimum, &f.median})
+      line.both(daylight_factor(table, *figure));
     f.room.required > 0.0 ? line.number(f.room.required) : line.text("");
     line.text(name_of(verdict_of(f)));
     line.value(worst_glare(table, f));

@@ -62,7 +62,7 @@ std::string verdict_cell(const RoomFigures& room) {
   return fmt::format(R"(<td class="{}">{}</td>)", kind, name_of(verdict));
 }
 
-std::string row_of(const RoomFigures& f, const std::string& anchor) {
+std::string row_of(const RoomTable& table, const RoomFigures& f, const std::string& anchor) {
   std::string name = escaped(f.room.name);
   if (!f.room.long_name.empty()) name += " <small>" + escaped(f.room.long_name) + "</small>";
   std::string html = fmt::format(R"(<tr><td><a href="#{}">{}</a></td>)", anchor, name);
@@ -73,6 +73,8 @@ std::string row_of(const RoomFigures& f, const std::string& anchor) {
   for (const auto* figure : {&f.mean, &f.minimum, &f.maximum}) html += cell(*figure);
   html += cell(f.u0);
   for (const auto* figure : {&f.walls, &f.ceiling, &f.cylindrical}) html += cell(*figure);
+  for (const auto* figure : {&f.mean, &f.minimum, &f.median})
+    if (table.outside > 0.0) html += cell(daylight_factor(table, *figure));
   html += f.room.required > 0.0 ? cell(f.room.required, fmt::format("{:.4g}", f.room.required))
                                 : cell(std::nullopt);
   return html + verdict_cell(f) + "</tr>\n";
@@ -84,11 +86,13 @@ std::string room_rows(const RoomTable& table, const std::string& id) {
           head("Height", "m") + head("Points", "");
   for (const char* name : {"Mean", "Minimum", "Maximum"}) html += head(name, table.unit);
   html += head("U<sub>0</sub>", "");
-  for (const char* name : {"Walls", "Ceiling", "Cylindrical", "Required"})
-    html += head(name, table.unit);
+  for (const char* name : {"Walls", "Ceiling", "Cylindrical"}) html += head(name, table.unit);
+  for (const char* name : {"D mean", "D minimum", "D median"})
+    if (table.outside > 0.0) html += head(name, "%");
+  html += head("Required", table.unit);
   html += head("Verdict", "", false) + "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < table.rooms.size(); ++i)
-    html += row_of(table.rooms[i], anchor(id, i));
+    html += row_of(table, table.rooms[i], anchor(id, i));
   return html + "</tbody></table></div>";
 }
 
@@ -100,6 +104,14 @@ std::string notes(const RoomTable& table) {
       "deviation; a verdict is given beyond two.",
       escaped(table.unit), table.plane_m, table.cylindrical_m, table.maintenance_factor,
       table.maintenance_factor == 1.0 ? " (new installation)" : "");
+  if (table.outside > 0.0) {
+    text += fmt::format(
+        " D is the daylight factor: illuminance in the working plane over that of an unobstructed "
+        "horizontal plane outside, {:.5g} {}.",
+        table.outside, escaped(table.unit));
+  } else if (!table.no_daylight_factor.empty()) {
+    text += " No daylight factors: " + escaped(table.no_daylight_factor) + ".";
+  }
   if (!table.weights.empty()) text += " Bands as one value: " + escaped(table.weights) + ".";
   return "<p class=\"soft\">" + text + "</p>";
 }

@@ -44,6 +44,15 @@ class MeanOf {
   std::size_t count_ = 0;
 };
 
+/// Of the middle one of the values, or the mean of the middle two.
+std::optional<Estimate> median_of(std::span<const GridValue> values) {
+  if (values.empty()) return std::nullopt;
+  std::vector<GridValue> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted, {}, &GridValue::value);
+  const GridValue &low = sorted[(sorted.size() - 1) / 2], &high = sorted[sorted.size() / 2];
+  return Estimate{0.5 * (low.value + high.value), 0.5 * (low.error + high.error)};
+}
+
 class Survey {
  public:
   Survey(const SurveyedScene& scene, const SurveyConfig& config) : scene_(scene), config_(config) {}
@@ -84,7 +93,7 @@ class Survey {
       const Vec2& p = room.grid.points[i];
       switch (place(room.room, p, room.plane_m)) {
         case PointPlace::open:
-          room.values.push_back({p, room.grid.cell[i], 0.0});
+          room.values.push_back({p, room.grid.cell[i]});
           break;
         case PointPlace::in_furniture:
           ++room.in_furniture;
@@ -175,11 +184,13 @@ class Survey {
     for (GridValue& point : room.values) {
       const Gathered& light = tasks[next++].light;
       point.value = light.value;
+      point.error = std::hypot(light.noise, light.bias);
       mean.add(light);
       if (!lowest || light.value < lowest->value) lowest = light;
       if (!highest || light.value > highest->value) highest = light;
     }
     room.mean = mean.estimate();
+    room.median = median_of(room.values);
     room.cylindrical = cylindrical_light(cylinders_[number], tasks, next);
     if (!lowest) return;
     room.minimum = Estimate{lowest->value, std::hypot(lowest->noise, lowest->bias)};

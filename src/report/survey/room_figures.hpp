@@ -39,7 +39,7 @@ struct SurveyConfig {
 struct GridValue {
   Vec2 p{0.0};
   int cell = 0;  ///< of the grid (CalculationGrid::cell)
-  double value = 0.0;
+  double value = 0.0, error = 0.0;
 };
 
 struct RoomFigures {
@@ -50,6 +50,8 @@ struct RoomFigures {
   std::vector<GridValue> values;                    ///< of the points that count
   /// Of the values; none where no point counts. U0 is the minimum by the mean.
   std::optional<Estimate> mean, minimum, maximum, u0;
+  /// The error is that of the points in the middle, as if all of it were common to all points.
+  std::optional<Estimate> median;
   /// Means over area, read off the patches; none where rays find no such surface.
   std::optional<Estimate> walls, ceiling;
   /// Mean over the grid's points of the mean vertical illuminance over four directions or more; the

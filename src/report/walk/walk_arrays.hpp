@@ -41,6 +41,7 @@ struct WalkArrays {
 struct WalkShares {
   std::vector<std::string> names;
   std::span<const ClusterState> clusters;
+  std::vector<std::size_t> of_light{};  ///< of each light of the scene; names.size() for none
 };
 
 WalkArrays walk_arrays(const SolvedScene& solved, const LightChannels& channels,

@@ -24,6 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t colours = 32;
 /// Points of a floor whose patches are read for a room that has not been surveyed.
 constexpr std::size_t floor_points = 64;
+constexpr double marker_shift_m = 0.05;
 
 Json point(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -98,6 +99,27 @@ Json palette() {
   return list;
 }
 
+/// The lights that have no surface in the building, each with 1 + the number of its share, or 0.
+/// Markers stand a little before the place of one that shines one way, out of its ceiling.
+Json lights_json(const WalkSubject& subject, const WalkStoreys& storeys, const Vec3& centre) {
+  Json list = Json::array();
+  const std::vector<LightSource>& lights = subject.solved.scene.lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const LightSource& light = lights[i];
+    const bool of_surface = !light.opening.empty() && light.shape.shape == OpeningShape::point;
+    if (light.is_far() || of_surface) continue;
+    const bool one_way = light.distribution || light.cone;
+    const Vec3 at = light.p + (one_way ? marker_shift_m : 0.0) * light.frame.aim - centre;
+    const auto& share = subject.shares.of_light;
+    const bool shared = i < share.size() && share[i] < subject.shares.names.size();
+    list.push_back({{"name", light.name},
+                    {"p", {rounded(at.x), rounded(at.y), rounded(at.z)}},
+                    {"storey", storeys.of(light.p)},
+                    {"share", shared ? share[i] + 1 : 0}});
+  }
+  return list;
+}
+
 Json model_json(const WalkSubject& subject, const WalkArrays& arrays, const LightChannels& channels,
                 const WalkStoreys& storeys) {
   const Scene& scene = subject.solved.scene;
@@ -136,6 +158,7 @@ Json model_json(const WalkSubject& subject, const WalkArrays& arrays, const Ligh
   json["shares"] = Json::array();
   for (std::size_t i = 0; i < subject.shares.names.size(); ++i)
     json["shares"].push_back({{"name", subject.shares.names[i]}, {"scale", arrays.scales[i]}});
+  json["lights"] = lights_json(subject, storeys, arrays.centre);
   return json;
 }
 

@@ -22,6 +22,8 @@ class WalkStoreys {
  public:
   WalkStoreys(const SolvedScene& solved, std::span<const SurveyRoom> rooms);
   const std::vector<WalkStorey>& all() const { return storeys_; }
+  /// Returns the storey that p lies in, by its height.
+  std::size_t of(const Vec3& p) const { return at(p.z); }
   /// Returns the storey of a room, by its name.
   std::size_t of(const SurveyRoom& room) const;
   /// Returns the storey of a polygon: that of the room of the building which its front looks into

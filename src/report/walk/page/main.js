@@ -1,6 +1,7 @@
 // The walk-through: a solved building in the browser, with its light under the pointer.
 import * as THREE from "three";
 import { Light } from "./light.js";
+import { Lamps } from "./lamps.js";
 import { loadModel, shown } from "./model.js";
 import { Panel } from "./panel.js";
 import { Picker } from "./picking.js";
@@ -20,7 +21,8 @@ class Page {
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.renderer.setClearColor(0x22252b);
     this.scene = new THREE.Scene();
-    this.scene.add(this.surfaces.mesh);
+    this.lamps = new Lamps(model);
+    this.scene.add(this.surfaces.mesh, this.lamps.group);
     this.views = new Views(model, this.canvas, () => this.draw());
     this.panel = new Panel(this);
     addEventListener("resize", () => this.resize());
@@ -59,6 +61,7 @@ class Page {
   dim(dims) {
     this.light.dim(dims);
     this.surfaces.relight();
+    this.lamps.dim(dims);
     if (this.pointer) this.read(this.pointer);
     this.draw();
   }
@@ -79,6 +82,7 @@ class Page {
       this.waiting = false;
       if (this.views.run(Math.min(0.1, (now - (this.before ?? now)) / 1000))) this.draw();
       this.before = this.waiting ? now : undefined;
+      this.lamps.show(this.panel.storeys, this.views.camera, this.canvas.clientHeight);
       this.renderer.render(this.scene, this.views.camera);
       const at = this.views.position();
       this.panel.follow(at, this.views.walking ? roomAt(this.model, at.toArray(), 0.5) : -1, this.views.yaw());
@@ -114,6 +118,12 @@ class Page {
     const reading = byId("reading");
     reading.replaceChildren();
     for (const key of Object.keys(reading.dataset)) delete reading.dataset[key];
+    const lamp = this.lamps.at(pointer.x, pointer.y, this.views.camera, this.canvas, hit ? hit.distance : Infinity);
+    if (lamp) {
+      reading.textContent = `${lamp.name}: ${Math.round(100 * lamp.dim)}%`;
+      Object.assign(reading.dataset, { lamp: lamp.name, dim: lamp.dim });
+      return null;
+    }
     if (!hit) return null;
     if (!hit.front) {
       reading.textContent = "the back of a surface: no light";

@@ -46,7 +46,16 @@ TEST(RoomTable, NamesInHtmlAreText) {
 
 TEST(RoomTable, FiguresThatAreNotKnownAreEmptyFields) {
   const std::string csv = rooms_csv(table_of("a"));
-  EXPECT_THAT(csv, HasSubstr(",lx,310,200,400,0.645,2,3,3,0.01,,,,,,,300,met,,1,"));
+  EXPECT_THAT(csv, HasSubstr(",lx,310,200,400,0.645,2,3,3,0.01,,,,,,,,,,,,,300,met,,1,"));
+}
+
+TEST(RoomTable, DaylightFactorsAreSharesOfTheLightOutside) {
+  RoomTable table = table_of("a");
+  table.rooms[0].median = Estimate{300.0, 4.0};
+  EXPECT_THAT(rooms_html(table), Not(HasSubstr("D median")));
+  table.outside = 10000.0;
+  EXPECT_THAT(rooms_csv(table), HasSubstr(",0.01,,,,,,,3.1,0.02,2,0.03,3,0.04,300,met,,1,"));
+  EXPECT_THAT(rooms_html(table), HasSubstr("D median"));
 }
 
 TEST(Verdict, NeedsTwoStandardDeviations) {

@@ -1,0 +1,49 @@
+#include "scene/daylight.hpp"
+
+namespace enfilade {
+namespace {
+
+bool gives(const Spectrum& light) {
+  return std::ranges::any_of(light, [](double b) { return b > 0.0; });
+}
+
+/// True for the sky's own dome: that of the ground is about the nadir.
+bool is_sky(const Scene& scene, const LightSource& light) {
+  return light.sky != nullptr && glm::dot(light.sky->zenith, scene.sky->zenith) > 0.0;
+}
+
+}  // namespace
+
+LightOutside light_outside(const Scene& scene) {
+  if (!scene.sky) return {{}, "the scene has no sky", "give it a \"sky\", as in the README"};
+  const bool sun = gives(scene.sky->sun_illuminance);
+  LightOutside outside;
+  bool lamps = std::ranges::any_of(scene.surfaces, &Surface::emits), sunlight = false;
+  for (const LightSource& light : scene.lights) {
+    if (!gives(light.intensity)) continue;
+    if (!light.is_far()) {
+      lamps = true;
+    } else if (is_sky(scene, light)) {
+      const double per_intensity =
+          light.luminance_per_intensity * scene.sky->horizontal_per_zenith();
+      for (const double i : light.intensity) outside.horizontal.push_back(per_intensity * i);
+    } else {
+      sunlight |= sun;
+    }
+  }
+  if (sunlight) {
+    return {{},
+            "the scene has sunlight",
+            "leave out the sun's \"illuminance\", or solve with --shares and turn off sun and "
+            "ground by --switch"};
+  }
+  if (lamps) {
+    return {{},
+            "the scene has lamps",
+            "solve it without their light, or with --shares and turn them off by --switch"};
+  }
+  if (outside.horizontal.empty()) return {{}, "the sky is turned off", "leave its --switch out"};
+  return outside;
+}
+
+}  // namespace enfilade
