@@ -162,7 +162,7 @@ double EmitterSampler::control_bright(const Vec3& p, const Vec3& n, std::uint32_
         variance[band] += variance_of_factor * b.radiosity(band) * b.radiosity(band);
     }
     for (const VisibleNode& node : next.nodes) seen += node.factor * b.largest_radiosity;
-    control.polygons.push_back(next);
+    if (!next.nodes.empty()) control.polygons.push_back(next);
   }
   return total;
 }

@@ -30,7 +30,7 @@ constexpr double usual_patch_error = 0.02;
 constexpr double faint = 0.05;  ///< Paths that carry less of what they began with end by chance.
 constexpr int most_bounces = 64;
 constexpr int most_survey_rays = 576;  ///< show what a point sees, before others estimate its light
-constexpr int most_ray_sets = 16;      ///< for one point, each of PointGatherConfig::rays
+constexpr int most_ray_sets = 16;      ///< for one point, each of rays_in_set() rays
 constexpr double unseen_noise = 2e-5;  ///< Less of the mean irradiance does not matter.
 /// Noise of so much of the error of the reflected light adds next to nothing to it; it may be so
 /// many times what is asked for without that error.

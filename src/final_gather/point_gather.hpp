@@ -28,7 +28,7 @@ struct PointGatherConfig {
   double reflected_error = 0.0;
 
   /// `rays`, or by default from 4096 where the patches are right to 1% down to 512 where they are
-  /// right to 8%: a feature that few rays meet matters by what else is right.
+  /// right to 8%: what few rays meet then adds less than the error of the patches does.
   int rays_in_set() const {
     return rays.value_or(static_cast<int>(std::clamp(4096.0 * 0.01 / patch_error, 512.0, 4096.0)));
   }

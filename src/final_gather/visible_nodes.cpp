@@ -23,7 +23,7 @@ constexpr int most_cuts = 10;  ///< of a visible part
 constexpr int most_part_cuts = 24, rays_of_part = 8;
 /// More polygons than these are looked for anew before each part.
 constexpr std::size_t most_listed = 4096;
-/// So many of the polygons on the way to the middle of a part are tried whether one hides it all.
+/// So many of the polygons on a ray to the middle of a part are tested: does one cover it all?
 constexpr int most_tried = 6;
 /// Share of that error below which a part is taken as a whole, without extrapolation.
 constexpr double negligible_node = 1e-3;

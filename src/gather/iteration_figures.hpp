@@ -164,7 +164,8 @@ FoldedNumbers to_numbers(const IterationFigures& figures);
 /// Returns the figures that `to_numbers` encoded. Throws RunError where there are too few numbers.
 IterationFigures figures_from(std::span<const double> maxima, std::span<const double> sums);
 
-/// Returns power over received power: 0 where there is none, 1 where there is some of nothing.
+/// Returns power over received power: 0 where there is none, 1 where nothing is received
+/// and the power is not 0.
 inline double share_of_received(double power, double received) {
   if (power == 0.0) return 0.0;
   return received > 0.0 ? power / received : 1.0;

@@ -84,8 +84,8 @@ std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double sho
 
 namespace {
 
-/// The same by halves: of the triangles from the first corner to each edge, the one on whose side
-/// the point lies is the only one that can hold it.
+/// contains() by binary search: of the triangles from the first corner to each edge, the one on
+/// whose side the point lies is the only one that can hold it.
 bool contains_by_halves(const Polygon& polygon, const Vec3& n, const Vec3& p) {
   const auto left_of = [&](std::size_t i, std::size_t j) {
     return glm::dot(glm::cross(polygon[j] - polygon[i], p - polygon[i]), n) >= 0.0;

@@ -51,7 +51,7 @@ class Catalogue {
 
   std::size_t files() const { return files_; }
 
-  /// Warns of each faulty file that no lamp asked for.
+  /// Warns of each faulty file whose name no lamp asked for.
   void try_others() {
     for (const auto& [key, paths] : by_key_) {
       if (read_.contains(key)) continue;

@@ -17,10 +17,9 @@ struct LuminaireMatches {
 /// (.ies, .ldt, in it or below) the distribution and the opening of that file. Case, and all signs
 /// but letters and digits, do not count; where no file has the whole name of a type, a part of it
 /// between colons will do ("Family:Type:1234"). A flux that the model tells scales the file's.
-/// Warns of names without a file, and takes back from `warnings` that a matched lamp stays dark.
-/// A
+/// Warns of names without a file, and takes back from `warnings` that a matched lamp stays dark. A
 /// faulty file is left out with a warning. Throws InputError for a folder that is not there or has
-/// no such file, and where a lamp has faulty files alone.
+/// no such file, and where all files of a lamp's name are faulty.
 LuminaireMatches match_luminaires(Scene& scene, const std::string& folder, Warnings& warnings);
 
 }  // namespace enfilade

@@ -150,8 +150,12 @@ void RayScene::Impl::Mesh::build(RTCDevice embree, std::span<const Polygon> poly
   rtcAttachGeometry(scene, mesh);
   rtcReleaseGeometry(mesh);
   rtcCommitScene(scene);
-  if (rtcGetDeviceError(embree) != RTC_ERROR_NONE)
-    throw RunError("Embree: cannot build its tree of the polygons; use a larger machine");
+  const RTCError error = rtcGetDeviceError(embree);
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw RunError("Embree: not enough memory for its tree of the polygons; use a larger machine");
+  if (error != RTC_ERROR_NONE)
+    throw RunError("Embree: cannot build its tree of the polygons (its error " +
+                   std::to_string(error) + "); report it with the scene");
 }
 
 void RayScene::Impl::build(std::span<const Polygon> polygons, std::span<const char> is_pane) {

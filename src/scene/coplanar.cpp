@@ -151,7 +151,8 @@ class Covers {
   void take_away(std::vector<Polygon>& parts, const Polygon& cover) const {
     std::vector<Polygon> next;
     const Box box = bounds(cover);
-    // Beside the cover by more than both tolerances; they may lie so far from one plane, too.
+    // Beside the cover by more than both tolerances; part and cover may also
+    // lie this far apart across their plane.
     const double margin = 2.0 * (scale_.coplanar() + scale_.cut());
     for (Polygon& part : parts) {
       if (!bounds(part).overlaps(box, margin)) {

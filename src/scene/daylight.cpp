@@ -16,9 +16,10 @@ bool is_sky(const Scene& scene, const LightSource& light) {
 
 LightOutside light_outside(const Scene& scene) {
   if (!scene.sky) return {{}, "the scene has no sky", "give it a \"sky\", as in the README"};
-  const bool sun = gives(scene.sky->sun_illuminance);
+  if (gives(scene.sky->sun_illuminance))
+    return {{}, "the scene has sunlight", "leave out the sun's \"illuminance\""};
   LightOutside outside;
-  bool lamps = std::ranges::any_of(scene.surfaces, &Surface::emits), sunlight = false;
+  bool lamps = std::ranges::any_of(scene.surfaces, &Surface::emits);
   for (const LightSource& light : scene.lights) {
     if (!gives(light.intensity)) continue;
     if (!light.is_far()) {
@@ -27,22 +28,15 @@ LightOutside light_outside(const Scene& scene) {
       const double per_intensity =
           light.luminance_per_intensity * scene.sky->horizontal_per_zenith();
       for (const double i : light.intensity) outside.horizontal.push_back(per_intensity * i);
-    } else {
-      sunlight |= sun;
     }
-  }
-  if (sunlight) {
-    return {{},
-            "the scene has sunlight",
-            "leave out the sun's \"illuminance\", or solve with --shares and turn off sun and "
-            "ground by --switch"};
   }
   if (lamps) {
     return {{},
             "the scene has lamps",
             "solve it without their light, or with --shares and turn them off by --switch"};
   }
-  if (outside.horizontal.empty()) return {{}, "the sky is turned off", "leave its --switch out"};
+  if (outside.horizontal.empty())
+    return {{}, "the sky gives no light", "give it a brightness, or leave its --switch out"};
   return outside;
 }
 

@@ -6,10 +6,10 @@
 namespace enfilade {
 
 /// The irradiance of an unobstructed horizontal plane under the sky alone, per band as solved; or,
-/// where a scene has other light as well, so that what arrives inside is no daylight factor, what
-/// stands against it and what to do.
+/// where a scene has other light as well, so that what arrives inside is no daylight factor, the
+/// reason and the remedy.
 struct LightOutside {
-  Spectrum horizontal;  ///< empty where something stands against it
+  Spectrum horizontal;  ///< empty where there is an obstacle
   std::string obstacle{}, remedy{};
 };
 

@@ -130,7 +130,7 @@ class Daylight(cli_test.InScratch):
         self.assertEqual(row["daylight_factor_mean"], "")
         self.assertIn("the scene has lamps", result.stdout)
         row, result = self.rooms(run, "--switch", "lamp=0", "--maintenance-factor", 0.8)
-        self.check_room(row, lambda x, y: sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y)), 0.8)
+        self.check_room(row, lambda x, y: sum(of_corner(a, b, 2.25) for a in (x, 4 - x) for b in (y, 4 - y)))
 
     def test_refusals_are_one_line(self):
         lamp = {"type": "point", "p": [2, 2, 1], "intensity": 10}

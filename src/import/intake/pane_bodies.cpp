@@ -59,18 +59,20 @@ struct Pane {
   const Side *kept, *dropped;
   double thickness_m;
 
-  /// True for a face between the planes of both sides.
+  Box box;  ///< of both sides
+
+  /// True for a face between the planes of both sides, and within their box.
   bool has_at_edge(const Polygon& face) const {
     const double slack = flat * kept->length_m();
     return std::ranges::all_of(face, [&](const Vec3& p) {
       const double below = glm::dot(kept->n, kept->centre - p);
-      return below >= -slack && below <= thickness_m + slack;
+      return below >= -slack && below <= thickness_m + slack && box.contains(p, slack);
     });
   }
 };
 
 /// Each side with the nearest that fits it.
-std::vector<Pane> panes_of(const std::vector<Side>& sides) {
+std::vector<Pane> panes_of(const std::vector<Side>& sides, const std::vector<Surface>& surfaces) {
   std::vector<Pane> panes;
   std::vector<char> taken(sides.size(), 0);
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -83,7 +85,12 @@ std::vector<Pane> panes_of(const std::vector<Side>& sides) {
     }
     if (nearest == i) continue;
     taken[i] = taken[nearest] = 1;
-    panes.push_back({&sides[i], &sides[nearest], least});
+    Pane& pane = panes.emplace_back(Pane{&sides[i], &sides[nearest], least, {}});
+    for (const Side* side : {pane.kept, pane.dropped}) {
+      for (const std::size_t face : side->faces) {
+        for (const Vec3& p : surfaces[face].vertices) pane.box.add(p);
+      }
+    }
   }
   return panes;
 }
@@ -93,7 +100,7 @@ std::vector<Pane> panes_of(const std::vector<Side>& sides) {
 void merge_pane_bodies(std::vector<Surface>& surfaces, std::size_t first) {
   std::vector<Side> sides;
   if (surfaces.size() - first <= most_faces) sides = sides_of(surfaces, first);
-  const std::vector<Pane> panes = panes_of(sides);
+  const std::vector<Pane> panes = panes_of(sides, surfaces);
   enum class Use : char { half, whole, none };
   std::vector<Use> use(surfaces.size(), Use::half);
   for (std::size_t i = first; i < surfaces.size(); ++i) {

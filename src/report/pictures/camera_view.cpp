@@ -68,7 +68,10 @@ CameraView::Seen CameraView::at(double x, double y) const {
 
 CameraView::Seen CameraView::leaving(const Ray& ray, std::uint32_t skip) const {
   Seen seen;
-  if (camera_.cut_above_m || camera_.parallel_height_m > 0.0) return seen;
+  const auto is_far = [](const LightSource& light) { return light.is_far(); };
+  if (camera_.cut_above_m || camera_.parallel_height_m > 0.0 ||
+      std::ranges::none_of(solved_.scene.lights, is_far))
+    return seen;
   seen.outward = ray.direction;
   if (solved_.occluders.panes().any()) find_panes(ray, far_away_m, skip, seen);
   return seen;

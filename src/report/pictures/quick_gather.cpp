@@ -11,8 +11,9 @@ namespace {
 /// Emitters that may give a smaller share of a place's direct light get one shadow ray.
 constexpr double large_share = 0.05;
 constexpr int shadow_rays = 6;
-/// To a dome of the sky, in as many strata: a window shows only a part of it.
-constexpr int sky_rays = 256;
+/// Rays to a dome of the sky, in as many strata, for each ray over the hemisphere: a window shows
+/// only a part of the sky.
+constexpr int sky_rays_per_ray = 4;
 
 /// The mean radiosity per band of a polygon.
 double mean_radiosity(const PatchForest& forest, std::uint32_t k, std::size_t band) {
@@ -87,6 +88,7 @@ void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Ra
 void QuickGather::add_sky(const LitPlace& place, Random& random, std::span<double> e) const {
   for (const LightSource& light : solved_.scene.lights) {
     if (!light.sky) continue;
+    const int sky_rays = sky_rays_per_ray * rays_;
     for (int i = 0; i < sky_rays; ++i) {
       const double r1 = (i + random.uniform()) / sky_rays, r2 = random.uniform();
       const LightAtPoint found = light_by_one_ray(light, place, solved_.occluders, r1, r2);

@@ -57,9 +57,10 @@ class Painter {
         const double turn = std::fmod(shift_x + shift_y + i * 0.6180339887498949, 1.0);
         const std::uint32_t seen = add({x + dx, y + dy}, turn, image.pixels[at], known);
         ++samples;
-        // Two samples of one polygon: no edge crosses the pixel, most likely.
+        // Two samples of one polygon: no edge crosses the pixel, most likely. What shows outside
+        // (sun, horizon, panes) has no number to tell it by.
         if (samples == 1) first = seen;
-        if (samples == 2 && seen == first) break;
+        if (samples == 2 && seen == first && first != RayScene::no_polygon) break;
       }
       scale(image.pixels[at], 1.0f / static_cast<float>(samples));
     }

@@ -57,7 +57,9 @@ std::string room_at(std::span<const RoomFigures> rooms, const Vec3& p) {
 
 std::optional<Estimate> daylight_factor(const RoomTable& table, const std::optional<Estimate>& e) {
   if (!e || !(table.outside > 0.0)) return std::nullopt;
-  return Estimate{100.0 * e->value / table.outside, 100.0 * e->error / table.outside};
+  // The maintenance factor multiplies light inside, and is no part of this ratio.
+  const double percent = 100.0 / (table.maintenance_factor * table.outside);
+  return Estimate{percent * e->value, percent * e->error};
 }
 
 std::string rooms_csv(const RoomTable& table) {

@@ -44,7 +44,7 @@ class MeanOf {
   std::size_t count_ = 0;
 };
 
-/// Of the middle one of the values, or the mean of the middle two.
+/// Returns the median (of an even number the mean of the middle two) and its error.
 std::optional<Estimate> median_of(std::span<const GridValue> values) {
   if (values.empty()) return std::nullopt;
   std::vector<GridValue> sorted(values.begin(), values.end());

@@ -44,7 +44,7 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
   w.put_all(cost.read);
 }
 
-/// Any other byte would be no bool.
+/// Reads a flag; throws RunError for a byte other than 0 or 1.
 bool get_flag(ByteReader& r) {
   const auto byte = r.get<std::uint8_t>();
   if (byte > 1) throw RunError("costs: damaged; solve it again, then replay it");

@@ -10,6 +10,18 @@
 namespace enfilade {
 namespace {
 
+TEST(PointGatherConfig, SetsAreAsLargeAsThePatchesAreRight) {
+  const auto rays = [](double patch_error) {
+    return PointGatherConfig{.patch_error = patch_error}.rays_in_set();
+  };
+  EXPECT_EQ(rays(0.0), 4096);
+  EXPECT_EQ(rays(0.01), 4096);
+  EXPECT_EQ(rays(0.02), 2048);
+  EXPECT_EQ(rays(0.08), 512);
+  EXPECT_EQ(rays(1.0), 512);
+  EXPECT_EQ((PointGatherConfig{.rays = 100, .patch_error = 0.01}.rays_in_set()), 100);
+}
+
 TEST(PointGather, DirectLightOfAPanelMatchesTheClosedForm) {
   Scene scene = testing::box_room({0, 0, 0}, {4, 4, 3}, {0.0}, {0.0});
   Surface lamp;
