@@ -42,4 +42,16 @@ double largest_radiosity(const PatchForest& forest, std::size_t node) {
   return largest;
 }
 
+double darkness(const Spectrum& mean, std::span<const double> light) {
+  double times = 1.0;
+  for (std::size_t b = 0; b < light.size(); ++b)
+    times = std::max(times, mean[b] / std::max(light[b], 1e-9 * mean[b]));
+  return times;
+}
+
+double far_sides(double patch_error) {
+  constexpr double error_of_one_side = 0.01, least = 1.0, most = 4.0;
+  return std::clamp(patch_error / error_of_one_side, least, most);
+}
+
 }  // namespace enfilade

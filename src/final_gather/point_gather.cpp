@@ -25,8 +25,6 @@ double least_share(const PointGatherConfig& config) {
   return noise > 0.0 ? std::clamp(noise, least, most) : most;
 }
 
-/// Error of the patches at which a patch's light is read off from one patch side away.
-constexpr double usual_patch_error = 0.02;
 constexpr double faint = 0.05;  ///< Paths that carry less of what they began with end by chance.
 constexpr int most_bounces = 64;
 constexpr int most_survey_rays = 576;  ///< show what a point sees, before others estimate its light
@@ -40,6 +38,12 @@ constexpr double share_of_error = 0.25, most_easing = 2.0;
 constexpr double share_everywhere = 0.1;
 /// Of the ambient light: what adding and subtracting the control variate leaves.
 constexpr double rounding = 1e-12;
+
+/// How the paths from one point go on.
+struct Paths {
+  std::vector<double> weights;  ///< EmitterPicker::weights()
+  double far_sides;             ///< far_sides()
+};
 
 }  // namespace
 
@@ -62,12 +66,10 @@ struct PointGather::Impl {
   double most_noise(std::size_t band, double light, double reflected) const;
   double reflected_error(std::size_t band, double reflected) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                    const EmitterSampler::ControlVariate& control, std::span<const double> weights,
-                    Spectrum& e, std::array<int, 2>& ends) const;
-  RayHit add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                  std::span<const double> weights, const EmitterSampler::ControlVariate& control,
-                  Random& random, Spectrum& e) const;
-  double far_m(const PatchForest& patches, std::uint32_t polygon, const Vec3& at) const;
+                    const EmitterSampler::ControlVariate& control, const Paths& paths, Spectrum& e,
+                    std::array<int, 2>& ends) const;
+  RayHit add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share, const Paths& paths,
+                  const EmitterSampler::ControlVariate& control, Random& random, Spectrum& e) const;
 };
 
 /// Adds the direct light, and to `variance` the square of its error.
@@ -82,21 +84,12 @@ void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum&
   }
 }
 
-/// Distance from which a ray may read the light off the patch that it ends on, which is an average
-/// over the patch: the side of the square of its area. More where the patches' error is larger than
-/// usual, up to 4 times, since following the light on costs noise.
-double PointGather::Impl::far_m(const PatchForest& patches, std::uint32_t polygon,
-                                const Vec3& at) const {
-  const double side_m = std::sqrt(patches.node(patches.leaf_at(polygon, at)).shape.area_m2);
-  return side_m * std::clamp(config.patch_error / usual_patch_error, 1.0, 4.0);
-}
-
 /// Adds share * (the radiosity that a ray finds less the control variate in its direction). Where a
 /// ray ends on a patch that is large for its distance (a gap below a cupboard, a corner), the
 /// patch's mean is not the radiosity at the ray's end: the path goes on from the end with one
 /// random ray, and with direct light there, and so on. Returns where the ray ends.
 RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                                   std::span<const double> weights,
+                                   const Paths& paths,
                                    const EmitterSampler::ControlVariate& control, Random& random,
                                    Spectrum& e) const {
   std::vector<double> carried(bands, share), radiosity(bands);
@@ -127,7 +120,8 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
-    if (hit.distance_m > far_m(patches, ref.polygon, at) || emitters.contains(hit.polygon)) {
+    const double m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
+    if (hit.distance_m > paths.far_sides * std::sqrt(m2) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
       return first;
@@ -145,7 +139,7 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     for (double& c : carried) c /= survival;
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
-    picker.add_picked({from, frame.n, own, RayStart::in_air}, weights, random, carried, e);
+    picker.add_picked({from, frame.n, own, RayStart::in_air}, paths.weights, random, carried, e);
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
@@ -157,7 +151,7 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
 /// strata. `ends` counts the rays that end on front sides, and on back sides.
 Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
                                      Random& random, const EmitterSampler::ControlVariate& control,
-                                     std::span<const double> weights, Spectrum& e,
+                                     const Paths& paths, Spectrum& e,
                                      std::array<int, 2>& ends) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays_in_set()))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
@@ -166,8 +160,8 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
       std::fill(one.begin(), one.end(), 0.0);
-      const RayHit hit = add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side),
-                                  weights, control, random, one);
+      const RayHit hit = add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), paths,
+                                  control, random, one);
       if (hit.any()) ++ends[hit.front ? 0 : 1];
       for (std::size_t b = 0; b < bands; ++b) {
         e[b] += one[b];
@@ -204,14 +198,15 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
                                        const EmitterSampler::ControlVariate& control,
                                        const Spectrum& emitted, Spectrum& variance,
                                        PointIrradiance& light) const {
-  const std::vector<double> weights = picker.weights(p);
   Spectrum& e = light.irradiance;
+  const double dark = darkness(mean_irradiance, std::span(e).first(lead_bands));
+  const Paths paths{picker.weights(p), far_sides(config.patch_error * dark)};
   Spectrum sum(bands, 0.0), of_rays(bands, 0.0);
   std::array<int, 2> ends{};
   bool noisy = true;
   int rounds = 0;
   while (noisy && rounds < most_ray_sets) {
-    const Spectrum more = add_rays(p, n, own, random, control, weights, sum, ends);
+    const Spectrum more = add_rays(p, n, own, random, control, paths, sum, ends);
     ++rounds;
     noisy = false;
     for (std::size_t b = 0; b < bands; ++b) {

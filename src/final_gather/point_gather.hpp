@@ -28,9 +28,10 @@ struct PointGatherConfig {
   double reflected_error = 0.0;
 
   /// `rays`, or by default from 4096 where the patches are right to 1% down to 512 where they are
-  /// right to 8%: what few rays meet then adds less than the error of the patches does.
+  /// right to 3%: what few rays meet then adds less than the error of the patches does.
   int rays_in_set() const {
-    return rays.value_or(static_cast<int>(std::clamp(4096.0 * 0.01 / patch_error, 512.0, 4096.0)));
+    const double finer = 0.01 / patch_error;
+    return rays.value_or(static_cast<int>(std::clamp(4096.0 * finer * finer, 512.0, 4096.0)));
   }
   /// `noise`, or by default half of `patch_error` and at most 0.005: less noise would not make the
   /// answer better than the patches are, more would make it worse.

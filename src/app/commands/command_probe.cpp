@@ -77,7 +77,7 @@ void add_options(CLI::App& sub, ProbeOptions& o) {
       ->excludes("--switch");
   sub.add_option("--rays", o.gather.rays,
                  "Rays over the hemisphere that tell what a point sees (default: by the estimated "
-                 "error of the patches, from 4096 for 1% down to 512 for 8%)")
+                 "error of the patches, from 4096 for 1% down to 512 for 3%)")
       ->check(CLI::Range(4, 100000000));
   sub.add_option("--noise", o.gather.noise,
                  "More rays, up to 16 times as many, where their noise is above this share of a "

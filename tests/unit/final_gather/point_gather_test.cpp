@@ -5,10 +5,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "final_gather/mean_light.hpp"
 #include "unit/gather/box_room.hpp"
 
 namespace enfilade {
 namespace {
+
+TEST(MeanLight, PathsGoOnFartherWherePatchesAreLessRight) {
+  const Spectrum mean = {10.0, 20.0};
+  EXPECT_EQ(darkness(mean, std::vector<double>{30.0, 40.0}), 1.0);
+  EXPECT_EQ(darkness(mean, std::vector<double>{30.0, 5.0}), 4.0);
+  EXPECT_GT(darkness(mean, std::vector<double>{0.0, 20.0}), 1e6);
+  EXPECT_EQ(darkness({0.0}, std::vector<double>{0.0}), 1.0);
+  EXPECT_EQ(far_sides(0.001), 1.0);
+  EXPECT_EQ(far_sides(0.02), 2.0);
+  EXPECT_EQ(far_sides(0.5), 4.0);
+}
 
 TEST(PointGatherConfig, SetsAreAsLargeAsThePatchesAreRight) {
   const auto rays = [](double patch_error) {
@@ -16,7 +28,7 @@ TEST(PointGatherConfig, SetsAreAsLargeAsThePatchesAreRight) {
   };
   EXPECT_EQ(rays(0.0), 4096);
   EXPECT_EQ(rays(0.01), 4096);
-  EXPECT_EQ(rays(0.02), 2048);
+  EXPECT_EQ(rays(0.02), 1024);
   EXPECT_EQ(rays(0.08), 512);
   EXPECT_EQ(rays(1.0), 512);
   EXPECT_EQ((PointGatherConfig{.rays = 100, .patch_error = 0.01}.rays_in_set()), 100);
