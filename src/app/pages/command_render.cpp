@@ -133,7 +133,8 @@ void add_picture_options(CLI::App& sub, RenderOptions& o) {
   group.add(
       "--gather-rays", o.render.gather_rays,
       "Light is gathered from the solution at places of the picture, by so many rays over the "
-      "hemisphere of each, and smoothed between them: no patches show; 0 = light of the patches",
+      "hemisphere of each (four times as many to a sky), and smoothed between them: no patches "
+      "show; 0 = light of the patches",
       CLI::Range(0, 1000000));
   group.add(
       "--gather-every", o.render.gather_every_px,
