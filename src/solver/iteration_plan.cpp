@@ -63,18 +63,23 @@ double links_error(const ErrorEstimate& error, bool with_patches) {
   return std::max(with_patches ? error.patches : 0.0, error.total()) - error.iteration;
 }
 
-/// True where much finer links reduced the error less than half as fast as their order predicts:
-/// the rest of the error does not come from the links.
+/// True where much finer links reduced the error less than half as fast as their order predicts,
+/// and at that rate much finer links once more would not reach the target: the rest of the error
+/// does not come from the links.
 bool refinement_stagnates(std::span<const IterationSummary> history, bool with_patches,
-                          const PlanWeights& w) {
+                          const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
   const IterationSummary& now = history.back();
   for (std::size_t i = history.size() - 1; i-- > 0;) {
     const IterationSummary& then = history[i];
     const double finer = now.plan.link_tolerance / then.plan.link_tolerance;
     if (!then.plan.sample || !(finer <= w.much_finer)) continue;
-    return links_error(now.error, with_patches) >
-           std::pow(finer, w.stagnation_share / w.tolerance_order) *
-               links_error(then.error, with_patches);
+    const double error = links_error(now.error, with_patches);
+    const double remaining = error / links_error(then.error, with_patches);
+    if (remaining <= std::pow(finer, w.stagnation_share / w.tolerance_order)) return false;
+    if (remaining >= 1.0) return true;
+    const double order = std::log(remaining) / std::log(finer);
+    return w.fine_share * config.target_error < error * std::pow(w.much_finer, order);
   }
   return false;
 }
@@ -113,7 +118,7 @@ State next_state(std::span<const IterationSummary> history, const Observation& s
   if (seen.links_rest() && seen.iterations_converged) {
     const bool too_coarse = seen.links_error > w.fine_share * config.target_error;
     const bool can_be_finer = config.epsilon <= 0.0 && !nothing_left_to_refine(history) &&
-                              !refinement_stagnates(history, false, w);
+                              !refinement_stagnates(history, false, config);
     return too_coarse && can_be_finer ? State::tighten_tolerance : State::finish;
   }
   if (!seen.light_is_everywhere) return State::distribute;
@@ -156,7 +161,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   seen.good_enough_to_sample =
       bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
   const bool hold_patches = factor_to_patch_links(last, config) <= w.least_tightening &&
-                            !refinement_stagnates(history, true, w);
+                            !refinement_stagnates(history, true, config);
   seen.links_error = links_error(last.error, hold_patches);
   return seen;
 }

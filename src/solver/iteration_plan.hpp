@@ -80,7 +80,7 @@ struct PlanWeights {
   /// patch_links.
   double link_order = 1.5;
   /// Refinement stagnates where a tolerance finer by much_finer brought less than stagnation_share
-  /// of the order that is expected.
+  /// of the order that is expected, and as much again would not reach the target.
   double much_finer = 1.0 / 8.0, stagnation_share = 0.5;
   /// Rays of a sampled point: sample_rays_times_target / target_error, within these limits. Noise
   /// is measured and subtracted; it need only stay below the target error.
