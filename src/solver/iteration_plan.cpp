@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/energy_conservation.hpp"
+#include "solver/extrapolation.hpp"
 
 namespace enfilade {
 namespace {
@@ -150,9 +151,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   Observation seen;
   seen.light_is_everywhere =
       share_of_received(last.figures.change_power, last.figures.received_power) < w.settled_change;
-  seen.few_links_refined =
-      static_cast<double>(last.figures.work.links_refined) * w.links_per_refined <=
-      static_cast<double>(last.figures.links);
+  seen.few_links_refined = few_links_refined(last, w.links_per_refined);
   seen.rows_as_before = last.plan.close_rows == plan.close_rows;
   seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
   const double bound = last.error.iteration_bound;
@@ -167,6 +166,11 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
 }
 
 }  // namespace
+
+bool few_links_refined(const IterationSummary& iteration, double per) {
+  return static_cast<double>(iteration.figures.work.links_refined) * per <=
+         static_cast<double>(iteration.figures.links);
+}
 
 IterationPlan first_plan(const PlanConfig& config) {
   IterationPlan plan;
@@ -187,21 +191,22 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // Once closed, rows stay closed: closure changes the light, and leaving it out again would change
   // the light back, without end.
   plan.close_rows = light_is_everywhere || last.plan.close_rows;
-  plan.flux_correction = flux_correction(last, config.surfaces_power,
+  plan.flux_correction = flux_correction(history, config.surfaces_power,
                                          config.weights.iteration_share * config.target_error);
   const Observation seen = observe(history, plan, config);
   // Where little is absorbed, much more power arrives than is emitted, and errors are relative to
   // the arriving power. Once errors have been sampled, they tell how fine links must be.
   const bool sampled = std::any_of(history.begin(), history.end(),
                                    [](const IterationSummary& i) { return i.plan.sample; });
-  if (!seen.light_is_everywhere && !sampled && config.epsilon <= 0.0) {
-    plan.link_tolerance =
-        first_epsilon(config) * std::max(worst_band(config.emitted_power),
-                                         last.figures.received_power + last.missing_power);
-  }
   // Links that the last iteration did not refine stay within the tolerance, as the light hardly
   // changes.
   plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);
+  if (plan.refine && !sampled && config.epsilon <= 0.0) {
+    const double received = std::max(worst_band(config.emitted_power),
+                                     last.figures.received_power + last.missing_power);
+    const double wanted = first_epsilon(config) * received;
+    plan.link_tolerance = seen.light_is_everywhere ? std::max(plan.link_tolerance, wanted) : wanted;
+  }
   switch (next_state(history, seen, config)) {
     case State::distribute:
       plan.renew_far = true;
@@ -228,6 +233,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
                        links_were_sampled(history);
       break;
   }
+  plan.extrapolation = extrapolation_of(plan, history);
   return plan;
 }
 
