@@ -26,6 +26,24 @@ std::string canonical(const std::string& path) {
   return code ? fs::absolute(path, code).lexically_normal().string() : found.string();
 }
 
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// The entry of a folder with this name: as it stands, else the first one whatever its case.
+fs::path entry_of(const fs::path& folder, const fs::path& name) {
+  std::error_code code;
+  fs::path found;
+  if (fs::exists(folder / name, code)) return folder / name;
+  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
+    const fs::path entry = it->path().filename();
+    if (lower_case(entry.string()) == lower_case(name.string()) && (found.empty() || entry < found))
+      found = entry;
+  }
+  return folder / (found.empty() ? name : found);
+}
+
 struct Descriptor {
   int number = -1;
   ~Descriptor() {
@@ -52,7 +70,12 @@ bool ModelFiles::allowed(const std::string& path) const {
 }
 
 std::string ModelFiles::path_from(const std::string& from, const std::string& name) {
-  return (fs::path(from).parent_path() / name).string();
+  const fs::path as_named = fs::path(from).parent_path() / name;
+  std::error_code code;
+  if (fs::path(name).is_absolute() || fs::exists(as_named, code)) return as_named.string();
+  fs::path path = fs::path(from).parent_path();
+  for (const fs::path& part : fs::path(name)) path = entry_of(path.empty() ? "." : path, part);
+  return fs::exists(path, code) ? path.string() : as_named.string();
 }
 
 bool ModelFiles::exists(const std::string& path) {

@@ -28,7 +28,8 @@ class ModelFiles {
   struct Place {
     std::string file, where;
   };
-  /// Returns the path of `name`, which is named in the folder of file `from`.
+  /// Returns the path of `name`, which is named in the folder of file `from`. Where it is not
+  /// there, letters of another case will do, as they do where most models are made.
   static std::string path_from(const std::string& from, const std::string& name);
   /// Returns the bytes of a file that is named at `place`, read once and kept. Throws InputError
   /// that names the place where it is missing, empty, no regular file, outside or too large.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/visible_parts.hpp"
+#include "occluders/pane_view.hpp"
 #include "occluders/sky_at.hpp"
 
 namespace enfilade {
@@ -13,29 +15,19 @@ namespace {
 constexpr double least_error = 5e-5;
 /// A part whose points all shine past the place is halved while it may bring more than this share.
 constexpr double least_unseen = 2e-3;
-/// Parts with a shadow's edge are halved while they bring more than this share.
+/// Parts behind too many occluders are halved while they bring more than this share.
 constexpr double least_shadow = 2e-3;
 /// A part is halved while its radius is more than this share of the distance: its points and its
 /// middle may agree by chance.
 constexpr double near_share = 0.25;
 constexpr int most_part_halvings = 14;
-/// An opening is looked at in two parts, or four, where its radius is this share of the distance:
-/// so that an edge of a shadow is noticed.
-constexpr double wide = 0.1, very_wide = 0.3;
-/// Of the light of a part of which some points are hidden: the error that remains.
+/// The shadows of up to so many occluders are cut out of a part exactly.
+constexpr std::size_t most_shadows = 16;
+/// More polygons than these are looked for anew before each half.
+constexpr std::size_t most_kept = 4096;
+/// Of the light of a part of which rays find some points hidden: the error that remains.
 constexpr double mixed_error = 0.25;
-/// What passes from two points differs by more than this where they are seen through other panes.
-constexpr double other_pane = 0.05;
 using std::numbers::pi;
-
-/// Of what passes from several points.
-struct Range {
-  double least = 1.0, most = 0.0;
-  void add(double share) {
-    least = std::min(least, share);
-    most = std::max(most, share);
-  }
-};
 
 class Opening {
  public:
@@ -47,19 +39,7 @@ class Opening {
     if (behind(light, whole)) return {};
     const LightKernel kernel = kernel_of(whole, place_.x, place_.n);
     scale_ = std::max(kernel.at, kernel.spread);
-    const double distance = glm::length(whole.center - place_.x);
-    least_halvings_ = whole.is_point() || whole.radius <= wide * distance ? 0
-                      : whole.radius <= very_wide * distance              ? 1
-                                                                          : 2;
-    add(whole, kernel, 0);
-    // Where some see the place and some do not, the edge may run between parts that agree in
-    // themselves: their corners are asked as well.
-    if (any_seen_ && (any_hidden_ || any_dimmed_) && !whole.is_point()) {
-      with_corners_ = true;
-      sum_ = error2_ = edge_error_ = 0.0;
-      tint_ = {};
-      add(whole, kernel, 0);
-    }
+    add(whole, kernel, 0, nullptr);
     return {sum_, std::sqrt(error2_) + edge_error_, tint_.mean()};
   }
 
@@ -91,66 +71,134 @@ class Opening {
     return most > least_unseen * std::max(scale_, 1.0 / (distance * distance));
   }
 
-  /// True where a corner of a part of one polygon is seen and the points are not, or the reverse,
-  /// or is seen through other panes.
-  bool corners_differ(const LightPart& part, const Range& passed) const {
-    if (!part.is_one_polygon()) return false;
-    const Polygon corners = part.corners();
-    return std::any_of(corners.begin(), corners.end(), [&](const Vec3& y) {
-      if (glm::dot(y - place_.x, place_.n) <= 0.0) return false;
-      const double share = passage(y).share;
-      return (share > 0.0) != (passed.most > 0.0) || share > passed.most + other_pane ||
-             share < passed.least - other_pane;
-    });
-  }
-
-  void add(const LightPart& part, const LightKernel& kernel, int halvings) {
-    const bool may_halve = !part.is_point() && halvings < most_part_halvings;
-    const bool rough = kernel.spread > least_error * scale_ ||
-                       (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
-    const bool matters = kernel.at > least_shadow * scale_;
-    const bool near = part.radius > near_share * glm::length(part.center - place_.x) &&
-                      kernel.at > least_error * scale_;
-    if (may_halve && (rough || near || halvings < least_halvings_)) {
-      halve(part, halvings);
+  /// `among`: polygons of which those before the part are some; null where they are not known.
+  void add(const LightPart& part, const LightKernel& kernel, int halvings,
+           const std::vector<std::uint32_t>* among) {
+    if (part.is_point()) {
+      add_by_rays(part, kernel);
       return;
     }
+    if (!part.is_one_polygon()) {
+      halve(part, halvings, among);
+      return;
+    }
+    const Polygon outline = facing(part.corners());
+    std::vector<std::uint32_t> between;
+    const bool known = find_between(outline, among, between);
+    const std::vector<std::uint32_t>* next = known ? &between : nullptr;
+    if (known && !between.empty() && hidden_by_one(outline)) return;
+    const bool may_halve = halvings < most_part_halvings;
+    const bool rough = kernel.spread > least_error * scale_ ||
+                       (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
+    const bool near = part.radius > near_share * glm::length(part.center - place_.x) &&
+                      kernel.at > least_error * scale_;
+    if (may_halve && (rough || near)) {
+      halve(part, halvings, next);
+    } else if (known && add_visible(part, kernel, outline, between)) {
+      error2_ += kernel.spread * kernel.spread;
+    } else if (may_halve && kernel.at > least_shadow * scale_) {
+      halve(part, halvings, next);
+    } else {
+      add_by_rays(part, kernel);
+    }
+  }
+
+  /// The polygon, turned to show its front to the place.
+  Polygon facing(Polygon polygon) const {
+    if (glm::dot(area_vector(polygon), place_.x - polygon[0]) < 0.0)
+      std::reverse(polygon.begin(), polygon.end());
+    return polygon;
+  }
+
+  bool find_between(const Polygon& outline, const std::vector<std::uint32_t>* among,
+                    std::vector<std::uint32_t>& between) const {
+    constexpr std::uint32_t none = RayScene::no_polygon;
+    if (among == nullptr) {
+      return occluders_.find_between({place_.x}, outline, place_.own, none, most_kept, between);
+    }
+    if (!among->empty())
+      occluders_.find_among(*among, {place_.x}, outline, place_.own, none, between);
+    return true;
+  }
+
+  /// True where the rays to all corners end on one polygon, which is convex and hides all then.
+  bool hidden_by_one(const Polygon& outline) const {
+    std::uint32_t wall = RayScene::no_polygon;
+    for (const Vec3& corner : outline) {
+      const Vec3 d = corner - place_.x;
+      const double length_m = glm::length(d) - 2.0 * occluders_.rays().epsilon_m();
+      if (work_ != nullptr) ++work_->rays;
+      const RayHit hit = occluders_.rays().closest(place_.x, d, place_.own, length_m, place_.start);
+      if (!hit.any() || (wall != RayScene::no_polygon && hit.polygon != wall)) return false;
+      wall = hit.polygon;
+    }
+    return true;
+  }
+
+  /// Adds what arrives from what is seen of a part, exactly; false where that is too much work.
+  bool add_visible(const LightPart& part, const LightKernel& kernel, const Polygon& outline,
+                   const std::vector<std::uint32_t>& between) {
+    if (between.empty() && !occluders_.panes().any()) {
+      sum_ += kernel.at;
+      tint_.add(kernel.at, {});
+      return true;
+    }
+    if (between.size() > most_shadows) return false;
+    visible_.begin(place_.x, outline, occluders_.tolerance_m());
+    for (const std::uint32_t k : between)
+      if (!visible_.hide(occluders_.polygon(k))) return false;
+    occluders_.panes_between({place_.x}, outline, place_.own, RayScene::no_polygon, panes_);
+    const double share_per_m2 = part.share / part.shape.area_m2;
+    for (std::size_t i = 0; i < visible_.size(); ++i) {
+      if (panes_.empty()) {
+        add_piece(*part.light, share_per_m2, visible_[i], {});
+        continue;
+      }
+      cut_by_panes(place_.x, place_.n, visible_[i], panes_, occluders_, dimmed_);
+      for (const DimmedPart& piece : dimmed_)
+        add_piece(*part.light, share_per_m2, piece.polygon, piece.passage);
+    }
+    return true;
+  }
+
+  /// A convex piece, small enough for three points of each triangle.
+  void add_piece(const LightSource& light, double share_per_m2, std::span<const Vec3> piece,
+                 const Passage& passing) {
     double sum = 0.0;
+    for (std::size_t i = 2; i < piece.size(); ++i) {
+      const Vec3 corner[3] = {piece[0], piece[i - 1], piece[i]};
+      const double area_m2 =
+          0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+      for (int side = 0; side < 3; ++side) {
+        const Vec3 y = 0.5 * (corner[side] + corner[(side + 1) % 3]);
+        sum += area_m2 / 3.0 * kernel_from(light, y, place_.x, place_.n);
+      }
+    }
+    sum_ += share_per_m2 * sum * passing.share;
+    tint_.add(share_per_m2 * sum, passing);
+  }
+
+  void add_by_rays(const LightPart& part, const LightKernel& kernel) {
     int seen = 0, count = 0;
-    Range passed;
-    TintSum tint;
     for (const LightPoint& point : part.points()) {
       const double one = point.share * kernel_from(*part.light, point.y, place_.x, place_.n);
       if (one <= 0.0) continue;
       ++count;
       const Passage passing = passage(point.y);
-      passed.add(passing.share);
-      tint.add(one, passing);
-      if (passing.share <= 0.0) continue;
-      ++seen;
-      sum += one * passing.share;
+      tint_.add(one, passing);
+      seen += passing.share > 0.0;
+      sum_ += one * passing.share;
     }
-    any_seen_ |= seen > 0;
-    any_hidden_ |= seen < count;
-    any_dimmed_ |= passed.least < 1.0 && passed.most > 0.0;
-    const bool mixed = (seen > 0 && seen < count) || passed.most - passed.least > other_pane ||
-                       (with_corners_ && matters && corners_differ(part, passed));
-    if (mixed && may_halve && matters) {
-      halve(part, halvings);
-      return;
-    }
-    sum_ += sum;
-    tint_.add(tint);
     error2_ += kernel.spread * kernel.spread;
-    if (mixed) edge_error_ += mixed_error * kernel.at;
+    if (seen > 0 && seen < count) edge_error_ += mixed_error * kernel.at;
   }
 
-  void halve(const LightPart& part, int halvings) {
+  void halve(const LightPart& part, int halvings, const std::vector<std::uint32_t>* among) {
     for (const int side : {0, 1}) {
       const LightPart half = part.half(side);
       const LightKernel kernel = kernel_of(half, place_.x, place_.n);
       scale_ = std::max(scale_, kernel.at);
-      add(half, kernel, halvings + 1);
+      add(half, kernel, halvings + 1, among);
     }
   }
 
@@ -158,11 +206,12 @@ class Opening {
   const Occluders& occluders_;
   WorkCount* work_;
   double scale_ = 0.0;  ///< about the whole light that may arrive
-  int least_halvings_ = 0;
-  bool any_seen_ = false, any_hidden_ = false, any_dimmed_ = false, with_corners_ = false;
   TintSum tint_;
   double sum_ = 0.0, error2_ = 0.0;
   double edge_error_ = 0.0;  ///< parts on one edge err alike: a plain sum
+  VisibleParts visible_;
+  std::vector<std::uint32_t> panes_;
+  std::vector<DimmedPart> dimmed_;
 };
 
 }  // namespace

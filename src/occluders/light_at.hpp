@@ -26,9 +26,9 @@ struct LightAtPoint {
   }
 };
 
-/// Of a point light in closed form with one ray; of an opening by points on it, each with a ray,
-/// of which there are more where it is near, and where some see the place and some do not. Counts
-/// rays in `work` unless that is null.
+/// Of a point light in closed form with one ray; of an opening by quadrature over what the place
+/// sees of it, cut out exactly where few polygons stand before a part of it, else by points on it,
+/// each with a ray. Counts rays in `work` unless that is null.
 LightAtPoint light_at(const LightSource& light, const LitPlace& place, const Occluders& occluders,
                       WorkCount* work = nullptr);
 /// An estimate without bias by one point of the opening at random (r1 and r2 in [0, 1)).

@@ -16,12 +16,36 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(from, text.find_last_not_of(" \t\r") - from + 1));
 }
 
+/// What separates the fields of the first line that is neither blank nor a comment.
+char separator_of(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!line.starts_with('#') && !trimmed(line).empty()) {
+      bool quoted = false;
+      for (const char separator : {';', '\t'}) {
+        for (const char c : line) {
+          quoted ^= c == '"';
+          if (c == separator && !quoted) return separator;
+        }
+      }
+      return ',';
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return ',';
+}
+
 /// Reads one record after the other.
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& path) : text_(text), path_(path) {
     if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+    separator_ = separator_of(text_);
+    ends_ = {separator_, '\n'};
+    blanks_ = separator_ == '\t' ? " " : " \t";
   }
+
+  char separator() const { return separator_; }
 
   bool at_end() const { return at_ >= text_.size(); }
 
@@ -32,7 +56,7 @@ class CsvReader {
     bool more = true;
     while (more) {
       record.fields.push_back(next_field(record));
-      more = at_ < text_.size() && text_[at_] == ',';
+      more = at_ < text_.size() && text_[at_] == separator_;
       if (more) ++at_;
     }
     record.text = text_.substr(begin, at_ - begin);
@@ -43,11 +67,11 @@ class CsvReader {
   }
 
  private:
-  /// Ends at a comma, a line's end or the file's.
+  /// Ends at a separator, a line's end or the file's.
   std::string next_field(const CsvRecord& record) {
-    const std::size_t begin = text_.find_first_not_of(" \t", at_);
+    const std::size_t begin = text_.find_first_not_of(blanks_, at_);
     if (begin != std::string_view::npos && text_[begin] == '"') return quoted(begin + 1, record);
-    const std::size_t end = std::min(text_.find_first_of(",\n", at_), text_.size());
+    const std::size_t end = std::min(text_.find_first_of(ends_, at_), text_.size());
     const std::string_view field = text_.substr(at_, end - at_);
     at_ = end;
     return trimmed(field);
@@ -62,7 +86,7 @@ class CsvReader {
       } else if (at_ + 1 < text_.size() && text_[at_ + 1] == '"') {
         field += text_[at_++];
       } else {
-        at_ = std::min(text_.find_first_of(",\n", at_), text_.size());
+        at_ = std::min(text_.find_first_of(ends_, at_), text_.size());
         return field;
       }
     }
@@ -72,20 +96,22 @@ class CsvReader {
 
   std::string_view text_;
   const std::string& path_;
+  char separator_ = ',';
+  std::string ends_, blanks_;  ///< of a field; before a quote
   std::size_t at_ = 0, line_ = 1;
 };
 
 }  // namespace
 
-std::vector<CsvRecord> csv_records(std::string_view text, const std::string& path) {
-  std::vector<CsvRecord> records;
+CsvTable csv_table(std::string_view text, const std::string& path) {
   CsvReader reader(text, path);
+  CsvTable table{reader.separator(), {}};
   while (!reader.at_end()) {
     CsvRecord record = reader.next();
     const bool blank = record.fields.size() == 1 && record.fields[0].empty();
-    if (!blank && !record.text.starts_with('#')) records.push_back(std::move(record));
+    if (!blank && !record.text.starts_with('#')) table.records.push_back(std::move(record));
   }
-  return records;
+  return table;
 }
 
 std::string csv_place(const CsvRecord& record, std::size_t column, const std::string& name) {

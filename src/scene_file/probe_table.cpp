@@ -20,8 +20,10 @@ namespace {
 
 constexpr std::array<const char*, 6> coordinate_names{"x", "y", "z", "nx", "ny", "nz"};
 
-/// Returns none for what is no number, and for what is none that is finite.
-std::optional<double> number_in(const std::string& field) {
+/// Returns none for what is no number, and for what is none that is finite. The decimal sign is a
+/// point, or a comma where none separates the fields.
+std::optional<double> number_in(std::string field, char separator) {
+  if (separator != ',' && field.find(',') != std::string::npos) field[field.find(',')] = '.';
   const char* begin = field.data() + (field.starts_with('+') ? 1 : 0);
   const char* end = field.data() + field.size();
   double x = 0.0;
@@ -46,10 +48,12 @@ class TableReader {
   explicit TableReader(ProbeFile file) : file_(std::move(file)) {}
 
   ProbeFile read() {
-    const std::vector<CsvRecord> records = csv_records(file_.text, file_.path);
+    const CsvTable table = csv_table(file_.text, file_.path);
+    const std::vector<CsvRecord>& records = table.records;
+    file_.table.separator = table.separator;
     if (records.empty())
       throw InputError(file_.path, "line 1", "there are no points", "write x,y,z on a line each");
-    const bool has_header = !number_in(records[0].fields[0]);
+    const bool has_header = !is_number(records[0].fields[0]);
     has_header ? read_header(records[0]) : make_header(records[0]);
     for (std::size_t i = has_header ? 1 : 0; i < records.size(); ++i) read_row(records[i]);
     if (file_.probes.empty()) {
@@ -72,9 +76,10 @@ class TableReader {
       normals += i >= 3 && found;
       layout_.column[i] = static_cast<std::size_t>(it - record.fields.begin());
       if (!found && i < 3) {
-        throw InputError(file_.path, "line " + std::to_string(record.line),
-                         std::string("the header has no column ") + in_quotes(coordinate_names[i]),
-                         "name the columns x,y,z or x,y,z,nx,ny,nz, separated by commas");
+        throw InputError(
+            file_.path, "line " + std::to_string(record.line),
+            std::string("the header has no column ") + in_quotes(coordinate_names[i]),
+            "name the columns x,y,z or x,y,z,nx,ny,nz, separated by commas, semicolons or tabs");
       }
     }
     if (normals == 1 || normals == 2) {
@@ -86,15 +91,16 @@ class TableReader {
 
   void make_header(const CsvRecord& record) {
     const std::size_t count = record.fields.size();
-    layout_.has_normals = count >= 6 && number_in(record.fields[3]) &&
-                          number_in(record.fields[4]) && number_in(record.fields[5]);
+    layout_.has_normals = count >= 6 && is_number(record.fields[3]) &&
+                          is_number(record.fields[4]) && is_number(record.fields[5]);
     for (std::size_t i = 0; i < std::max<std::size_t>(count, 3); ++i) {
       const bool named = i < (layout_.has_normals ? 6u : 3u);
       file_.table.columns.push_back(named ? coordinate_names[i] : fmt::format("column_{}", i + 1));
     }
     for (std::size_t i = 0; i < 6; ++i) layout_.column[i] = i;
     for (const std::string& name : file_.table.columns)
-      file_.table.header += (file_.table.header.empty() ? "" : ",") + name;
+      file_.table.header +=
+          (file_.table.header.empty() ? "" : std::string(1, file_.table.separator)) + name;
   }
 
   void read_row(const CsvRecord& record) {
@@ -103,7 +109,8 @@ class TableReader {
       throw InputError(
           file_.path, "line " + std::to_string(record.line),
           fmt::format("has {} fields, where {} are named", record.fields.size(), count),
-          "write as many on each line, separated by commas, with a point in numbers");
+          "write as many on each line, separated by commas, with a point in numbers, or by "
+          "semicolons or tabs");
     }
     Probe probe;
     for (std::size_t i = 0; i < 3; ++i) probe.p[static_cast<int>(i)] = number(record, i);
@@ -118,14 +125,19 @@ class TableReader {
     file_.table.rows.push_back(record.fields);
   }
 
+  bool is_number(const std::string& field) const {
+    return number_in(field, file_.table.separator).has_value();
+  }
+
   std::string place(const CsvRecord& record, std::size_t coordinate) const {
     const std::size_t column = layout_.column[coordinate];
     return csv_place(record, column, file_.table.columns[column]);
   }
 
-  double number(const CsvRecord& record, std::size_t coordinate) const {
+  double number(const CsvRecord& record, std::size_t coordinate) {
     const std::string& field = record.fields[layout_.column[coordinate]];
-    if (const auto x = number_in(field)) return *x;
+    if (field.find(',') != std::string::npos) file_.table.decimal_comma = true;
+    if (const auto x = number_in(field, file_.table.separator)) return *x;
     throw InputError(file_.path, place(record, coordinate),
                      "is " + in_quotes(field) + ", not a finite number",
                      coordinate < 3 ? "write metres, as in 1.25" : "write a number, as in 0 or -1");
@@ -139,13 +151,39 @@ class TableReader {
   Layout layout_;
 };
 
-/// "E" of one band; "E_0", "E_1", ... of several.
-std::string band_columns(const std::string& name, std::size_t bands) {
-  if (bands == 1) return "," + csv_field(name);
-  std::string columns;
-  for (std::size_t b = 0; b < bands; ++b) columns += "," + csv_field(fmt::format("{}_{}", name, b));
-  return columns;
-}
+/// Writes fields as the table has its own.
+class FieldWriter {
+ public:
+  explicit FieldWriter(const ProbeTable& table) : table_(table) {}
+
+  /// A field behind others.
+  std::string text(const std::string& words) const {
+    std::string field = csv_field(words);
+    if (!field.starts_with('"') && field.find(table_.separator) != std::string::npos)
+      field = '"' + field + '"';
+    return table_.separator + field;
+  }
+  std::string number(double value) const {
+    std::string field = fmt::format("{:.9g}", value);
+    if (table_.decimal_comma) std::ranges::replace(field, '.', ',');
+    return table_.separator + field;
+  }
+  std::string numbers(const Spectrum& values) const {
+    std::string fields;
+    for (const double value : values) fields += number(value);
+    return fields;
+  }
+  /// "E" of one band; "E_0", "E_1", ... of several.
+  std::string bands(const std::string& name, std::size_t count) const {
+    if (count == 1) return text(name);
+    std::string fields;
+    for (std::size_t b = 0; b < count; ++b) fields += text(fmt::format("{}_{}", name, b));
+    return fields;
+  }
+
+ private:
+  const ProbeTable& table_;
+};
 
 /// The columns of a JSON source, of which only names are kept beside the coordinates.
 ProbeTable table_of_json(const ProbeFile& source) {
@@ -180,22 +218,18 @@ std::string probe_table(const ProbeFile& source, const std::vector<ProbeAnswer>&
                         const std::string& from, const std::string& unit) {
   const ProbeTable made = source.table.columns.empty() ? table_of_json(source) : ProbeTable();
   const ProbeTable& table = source.table.columns.empty() ? made : source.table;
+  const FieldWriter fields(table);
   const std::size_t bands = answers[0].irradiance.size();
-  std::string csv = table.header + band_columns("E", bands) + band_columns("error", bands);
-  if (!answers[0].daylight_factor.empty()) csv += band_columns("daylight_factor", bands);
-  csv += ",unit,from";
-  for (const auto& [name, light] : answers[0].shares) csv += band_columns("E by " + name, bands);
+  std::string csv = table.header + fields.bands("E", bands) + fields.bands("error", bands);
+  if (!answers[0].daylight_factor.empty()) csv += fields.bands("daylight_factor", bands);
+  csv += fields.text("unit") + fields.text("from");
+  for (const auto& [name, light] : answers[0].shares) csv += fields.bands("E by " + name, bands);
   csv += "\n";
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    csv += table.lines[i];
-    for (const Spectrum* light :
-         {&answers[i].irradiance, &answers[i].error, &answers[i].daylight_factor}) {
-      for (const double value : *light) csv += fmt::format(",{:.9g}", value);
-    }
-    csv += "," + unit + "," + from;
-    for (const auto& [name, light] : answers[i].shares) {
-      for (const double value : light) csv += fmt::format(",{:.9g}", value);
-    }
+    csv += table.lines[i] + fields.numbers(answers[i].irradiance) +
+           fields.numbers(answers[i].error) + fields.numbers(answers[i].daylight_factor) +
+           fields.text(unit) + fields.text(from);
+    for (const auto& [name, light] : answers[i].shares) csv += fields.numbers(light);
     csv += "\n";
   }
   return csv;
@@ -213,7 +247,7 @@ nlohmann::ordered_json json_of_table(const ProbeFile& source) {
           std::ranges::find(coordinate_names, lower(name)) != coordinate_names.end();
       if (coordinate || name.empty() || entry.contains(name)) continue;
       const std::string& field = source.table.rows[i][k];
-      if (const auto x = number_in(field)) {
+      if (const auto x = number_in(field, source.table.separator)) {
         entry[name] = *x;
       } else {
         entry[name] = field;

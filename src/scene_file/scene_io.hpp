@@ -31,6 +31,8 @@ struct ProbeAnswer {
 
 /// What a probe file holds that is a table (CSV).
 struct ProbeTable {
+  char separator = ',';                        ///< between fields: a comma, a semicolon or a tab
+  bool decimal_comma = false;                  ///< in its numbers
   std::vector<std::string> columns;            ///< names; made up where the file has no header
   std::string header;                          ///< the line of the names
   std::vector<std::string> lines;              ///< of each probe, as they stand in the file
@@ -46,8 +48,9 @@ struct ProbeFile {
 
 /// Reads {"probes": [{"p", "n"}, ...]}, a scene file with probes, or, where the name ends in .csv,
 /// a table with the columns x, y, z and perhaps nx, ny, nz (else the normal points up), in metres,
-/// with or without a header; without one the columns stand in this order. Throws InputError that
-/// names the key, or line and column, and where there are no probes.
+/// with or without a header; without one the columns stand in this order. Where semicolons or tabs
+/// separate its fields, numbers may have decimal commas. Throws InputError that names the key, or
+/// line and column, and where there are no probes.
 ProbeFile read_probes(const std::string& path);
 /// Writes the probes of `source` with their answers, as a table where `path` ends in .csv, else as
 /// JSON.

@@ -85,7 +85,29 @@ std::vector<double> densities(std::span<const double> hits, const Walls& walls,
   return density;
 }
 
+bool is_blind(const Probe& point, const Scene& scene, const Occluders& occluders, Random& random) {
+  constexpr int rays = 256;
+  const Vec3 from = lifted(occluders, point.p, point.n);
+  const std::uint32_t own = surface_at(occluders, point.p, point.n);
+  int fronts = 0, backs = 0;
+  for (int i = 0; i < rays; ++i) {
+    const double r2 = (i + random.uniform()) / rays, turn = random.uniform();
+    const RayHit hit = occluders.rays().closest(from, cosine_direction(point.n, r2, turn), own,
+                                                1e30, RayStart::in_air);
+    backs += hit.any() && !hit.front;
+    fronts += hit.any() ? hit.front : scene.sky.has_value();
+  }
+  return fronts == 0 || 2 * backs > rays;
+}
+
 }  // namespace
+
+std::size_t blind_points(std::span<const Probe> points, const Scene& scene,
+                         const Occluders& occluders) {
+  Random random(1);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      points, [&](const Probe& point) { return is_blind(point, scene, occluders, random); }));
+}
 
 std::vector<float> importance_to(std::span<const Probe> points, const Scene& scene,
                                  std::span<const Cluster> clusters, const Occluders& occluders,

@@ -596,6 +596,9 @@ class Workflow(InScratch):
         for name in ("points", "ranks"):
             for found, known in zip(light[name], light["all"]):
                 self.assertAlmostEqual(found / known, 1.0, delta=0.01)
+        blind = self.scratch / "blind.csv"
+        blind.write_text("x,y,z\n1,1,-5\n")
+        self.assertIn("1 of 1 points see nothing", enfilade("solve", ROOM, "-o", self.scratch / "blind", "--target-error-at", blind).stderr)
         self.assert_refused(enfilade("solve", ROOM, "-o", self.scratch / "none", "--target-error-at", self.scratch / "none.json"), "none.json")
 
     def test_resume_of_a_finished_run_changes_nothing(self):

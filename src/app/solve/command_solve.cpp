@@ -10,6 +10,7 @@
 
 #include "app/frame/solve_name.hpp"
 #include "app/outputs/run_outputs.hpp"
+#include "app/outputs/target_points.hpp"
 #include "app/solve/relight_run.hpp"
 #include "app/solve/run_choices.hpp"
 #include "app/solve/run_description.hpp"
@@ -157,6 +158,11 @@ void run_solve(const SolveOptions& options, RankSession& session) {
   RunLock lock;
   Prepared prepared = prepare_run(options, config, session, warnings, lock);
   if (!lock.fault().empty()) warnings.add(config.run_directory + "/lock", lock.fault());
+  communicator.on_root([&] {
+    const Warnings blind =
+        blind_target_points(options.target_error_at, config.gather.target_points, prepared);
+    for (const Warning& w : blind.all()) warnings.add(w.where, w.what);
+  });
   console.warnings(warnings);
   if (nothing_is_left(options, config, prepared, session)) {
     if (shares_are_missing(options, config, prepared, session))

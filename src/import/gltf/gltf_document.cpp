@@ -78,6 +78,11 @@ GltfDocument::GltfDocument(ModelFiles& files, const std::vector<std::string_view
     fail("asset.version", "is " + in_quotes(version) + ", not 2.0",
          "convert the model to glTF 2.0");
   }
+  const std::string least = text(root_["asset"], "minVersion");
+  if (!least.empty() && least != "2.0") {
+    fail("asset.minVersion", "asks for a reader of glTF " + in_quotes(least),
+         "export the model as glTF 2.0");
+  }
   check_extensions(known);
 }
 

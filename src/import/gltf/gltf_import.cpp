@@ -141,7 +141,11 @@ class GltfReader {
     const double intensity = document_.real(light, "intensity", 1.0, place);
     const std::vector<double> colour = document_.reals(light, "color", {1, 1, 1}, place);
     Spectrum bands;
-    for (const double c : colour) bands.push_back(std::max(0.0, intensity * c));
+    for (const double c : colour) {
+      if (intensity * c < 0.0)
+        document_.fail(place, "has an intensity or a colour below zero", "write 0 or more");
+      bands.push_back(intensity * c);
+    }
     const Vec3 p = node.to_world[0].shift, axis = node.to_world[0].linear * Vec3(0.0, 0.0, -1.0);
     const bool aimed = glm::length(axis) > 0.0 && std::isfinite(glm::length(axis));
     LightSource made{p, bands};

@@ -66,6 +66,10 @@ void GltfMaterials::read_colours(const Json& source, Entry& entry, double& alpha
   if (const std::optional<TextureMean> mean = texture(from, image, where)) {
     for (std::size_t i = 0; i < 3; ++i) entry.colour[i] *= mean->srgb[i];
     alpha *= mean->linear[3];
+  } else if (from.contains(image)) {
+    constexpr double unknown = 0.5;  // as of a model without colours: a factor of white is none
+    for (double& c : entry.colour) c *= unknown;
+    warnings_.add(where, "the texture of its colour is not known: taken as 0.5");
   }
 }
 
@@ -122,9 +126,11 @@ std::optional<TextureMean> GltfMaterials::image_mean(std::size_t image, const st
   if (known != means_.end()) return known->second;
   std::optional<TextureMean> mean = texture_mean(document_.image(image, where));
   if (!mean) {
-    warnings_.add(
-        "images[" + std::to_string(image) + "]",
-        "is missing, outside the model's folder, or neither PNG nor JPEG: its texture is left out");
+    const std::string uri = document_.text(document_.entry("images", image, where), "uri");
+    const bool named = !uri.empty() && !uri.starts_with("data:");
+    warnings_.add("images[" + std::to_string(image) + "]" + (named ? " " + in_quotes(uri) : ""),
+                  "is missing, outside the model's folder, or neither PNG nor JPEG: its texture is "
+                  "left out");
   }
   return means_.emplace(image, mean).first->second;
 }

@@ -1,5 +1,6 @@
 #include "import/intake/text_lines.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -25,9 +26,10 @@ bool TextLines::next() {
     line_.clear();
     number_ = lines_taken_ + 1;
     for (bool joins = true; joins && !bytes_.empty();) {
-      const std::size_t end = bytes_.find('\n');
+      const std::size_t end = std::min(bytes_.find_first_of("\r\n"), bytes_.size());
       std::string_view part = bytes_.substr(0, end);
-      bytes_.remove_prefix(end == std::string_view::npos ? bytes_.size() : end + 1);
+      bytes_.remove_prefix(
+          std::min(end + (bytes_.substr(end, 2) == "\r\n" ? 2 : 1), bytes_.size()));
       ++lines_taken_;
       while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
       const std::string_view whole = line_.empty() ? part : std::string_view(line_);
@@ -54,6 +56,13 @@ std::string TextLines::rest_from(std::size_t word) const {
   if (words_.size() <= word) return {};
   const char* const end = words_.back().data() + words_.back().size();
   return {words_[word].data(), end};
+}
+
+std::string TextLines::file_name(std::string text) {
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"')
+    text = text.substr(1, text.size() - 2);
+  std::ranges::replace(text, '\\', '/');
+  return text;
 }
 
 double TextLines::real(std::size_t word) const {

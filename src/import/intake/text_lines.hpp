@@ -25,6 +25,10 @@ class TextLines {
   std::string rest() const { return rest_from(1); }
   /// Returns all from the word of this number on.
   std::string rest_from(std::size_t word) const;
+  /// Returns all from the word of this number on as the name of a file: without quotes around it,
+  /// and with slashes for backslashes.
+  std::string file_name_from(std::size_t word) const { return file_name(rest_from(word)); }
+  static std::string file_name(std::string text);
 
   /// Returns the word of this number as a finite number. Throws InputError that names the line.
   double real(std::size_t word) const;

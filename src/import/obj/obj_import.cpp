@@ -97,9 +97,12 @@ class ObjReader {
 
   void read_libraries(const TextLines& lines) {
     // Names may have blanks in them, and one line may name several libraries.
-    std::vector<std::string> names{lines.rest()};
-    if (!exists(names[0], lines) && lines.words().size() > 2)
-      names.assign(lines.words().begin() + 1, lines.words().end());
+    std::vector<std::string> names{lines.file_name_from(1)};
+    if (!exists(names[0], lines) && lines.words().size() > 2) {
+      names.clear();
+      for (std::size_t word = 1; word < lines.words().size(); ++word)
+        names.push_back(TextLines::file_name(std::string(lines.words()[word])));
+    }
     for (const std::string& name : names) {
       if (exists(name, lines)) {
         read_obj_materials(path_of(name, lines), files_, {lines.file(), lines.where()}, warnings_,
@@ -111,8 +114,7 @@ class ObjReader {
     }
   }
 
-  static std::string path_of(std::string name, const TextLines& lines) {
-    std::replace(name.begin(), name.end(), '\\', '/');
+  static std::string path_of(const std::string& name, const TextLines& lines) {
     return ModelFiles::path_from(lines.file(), name);
   }
   static bool exists(const std::string& name, const TextLines& lines) {

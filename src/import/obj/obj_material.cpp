@@ -117,9 +117,7 @@ class LibraryReader {
            numbers && first + 1 < lines.words().size() && is_number(first);)
         ++first;
     }
-    std::string name = lines.rest_from(first);
-    std::replace(name.begin(), name.end(), '\\', '/');
-    return name;
+    return lines.file_name_from(first);
   }
 
   void finish() {

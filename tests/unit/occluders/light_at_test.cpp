@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "geometry/form_factor.hpp"
 #include "scene/scene.hpp"
@@ -206,6 +207,48 @@ TEST(LightAt, KnowsThePenumbraOfAnOpening) {
     const LightAtPoint found = light_at(light, {{x, 0, 0}, {0, 0, 1}}, space.occluders);
     EXPECT_NEAR(found.irradiance, expected, std::max(found.error, 2e-3 * expected)) << x;
     EXPECT_LT(found.error, 0.06 * expected);
+  }
+}
+
+/// Strips across the x axis at the height z, side by side from x = -1 on.
+std::vector<Polygon> strips(int count, double spacing, double width, double z) {
+  std::vector<Polygon> list;
+  for (int i = 0; i < count; ++i) {
+    const double x = -1.0 + spacing * i;
+    list.push_back({{x, -3, z}, {x + width, -3, z}, {x + width, 3, z}, {x, 3, z}});
+  }
+  return list;
+}
+
+TEST(LightAt, FindsStripsThatNoPointOfTheOpeningMeets) {
+  // A flat opening of one distribution, of which the strips hide slices along y.
+  const LightSource light =
+      luminaire({0, 0, 2.0}, cosine_power(1.0, 0.5), {OpeningShape::rectangle, {1.0, 1.0, 0.0}});
+  for (const auto& [count, spacing, width, z] :
+       {std::tuple{30, 0.08, 0.01, 1.6}, {4, 0.5, 0.004, 1.9}, {200, 0.01, 0.003, 1.0}}) {
+    const Space space(strips(count, spacing, width, z));
+    const auto hidden = [&](double x) {
+      for (int i = 0; i < count; ++i)
+        if (x > -1.0 + spacing * i && x < -1.0 + spacing * i + width) return true;
+      return false;
+    };
+    for (const Vec3& x : {Vec3(0.0), Vec3(0.21, 0.3, 0.4), Vec3(1.5, 0.0, 0.3)}) {
+      double expected = 0.0;
+      constexpr int steps = 8000, rows = 40;
+      for (int i = 0; i < steps; ++i) {
+        for (int j = 0; j < rows; ++j) {
+          const Vec3 y((i + 0.5) / steps - 0.5, (j + 0.5) / rows - 0.5, 2.0);
+          const Vec3 d = y - x;
+          if (hidden(x.x + (z - x.z) / d.z * d.x)) continue;
+          const double r = glm::length(d);
+          expected += d.z / (r * r * r) * relative_intensity(light, -d) / (steps * rows);
+        }
+      }
+      const LightAtPoint found = light_at(light, {x, {0, 0, 1}}, space.occluders);
+      EXPECT_NEAR(found.irradiance, expected, std::max(2.0 * found.error, 2e-3 * expected))
+          << count << " strips at " << x.x;
+      EXPECT_LT(found.error, 0.02 * expected);
+    }
   }
 }
 

@@ -61,5 +61,17 @@ TEST(Importance, IsOnlyNeededForPoints) {
   EXPECT_EQ(work.rays, 0u);
 }
 
+TEST(Importance, PointsThatSeeNothingAreCounted) {
+  Scene scene = testing::box_room({0, 0, 0}, {1, 1, 1}, {0.5}, {0.0});
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  const Vec3 up(0, 0, 1);
+  const std::vector<Probe> points{
+      {{0.5, 0.5, 0.5}, up}, {{0.5, 0.5, 0.0}, up}, {{0.5, 0.5, -0.1}, up}, {{9, 9, 9}, up}};
+  EXPECT_EQ(blind_points(points, scene, occluders), 2u);
+  scene.sky = Sky{};
+  EXPECT_EQ(blind_points(points, scene, occluders), 1u);  // below the floor
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -14,6 +14,9 @@ function plain(value) {
   return value !== null && typeof value === 'object' && 'value' in value ? value.value : value;
 }
 
+const prefixes = {EXA: 1e18, PETA: 1e15, TERA: 1e12, GIGA: 1e9, MEGA: 1e6, KILO: 1e3, HECTO: 1e2, DECA: 10, DECI: 0.1,
+                  CENTI: 1e-2, MILLI: 1e-3, MICRO: 1e-6, NANO: 1e-9};
+
 class Model {
   constructor(api, bytes) {
     this.api = api;
@@ -60,6 +63,30 @@ class Model {
       }
     }
     return found;
+  }
+
+  /** Metres in the model's unit of length. Shapes come in metres; places of products do not. */
+  get metresPerUnit() { return this.metres ??= this.findMetres(); }
+  findMetres() {
+    const metres = unit => {
+      const factor = this.line(plain(this.line(unit)?.ConversionFactor));
+      if (factor) return Number(plain(factor.ValueComponent)) * metres(plain(factor.UnitComponent));
+      return prefixes[plain(this.line(unit)?.Prefix)] ?? 1;
+    };
+    for (const id of this.ids('IFCUNITASSIGNMENT')) {
+      const unit = [plain(this.line(id)?.Units) ?? []].flat().find(u => plain(this.line(u)?.UnitType) === 'LENGTHUNIT');
+      if (unit) return metres(unit);
+    }
+    return 1;
+  }
+  /** The matrix from a product's own axes to the world's, by columns, in the model's unit; undefined where it has no place. */
+  placement(id) {
+    const place = plain(this.line(id)?.ObjectPlacement);
+    return typeof place === 'number' ? this.api.GetWorldTransformMatrix(this.id, place) : undefined;
+  }
+  /** A point of a product's own axes (x, y, z; the model's unit) in the world, m. */
+  worldPoint(matrix, [x, y, z]) {
+    return [0, 1, 2].map(k => this.metresPerUnit * (matrix[k] * x + matrix[4 + k] * y + matrix[8 + k] * z + matrix[12 + k]));
   }
 
   get types() { return this.typesOf ??= this.relation('IFCRELDEFINESBYTYPE', 'RelatingType', 'RelatedObjects'); }

@@ -17,7 +17,9 @@ async function read(bytes) {
   const {Model, plain} = require('./model.cjs');
   const {shapesOf} = require('./shapes.cjs');
   const {brokenEntities} = require('./step_text.cjs');
-  const {colourTeller, Storeys, roomsOf, portalsOf, luminairesOf, opticsOf} = require('./building.cjs');
+  const {Storeys, roomsOf, portalsOf, opticsOf} = require('./building.cjs');
+  const {luminairesOf} = require('./lamps.cjs');
+  const {colourTeller, showDiffuseColours} = require('./styles.cjs');
 
   const api = new IfcAPI();
   await api.Init();
@@ -25,6 +27,15 @@ async function read(bytes) {
   const model = new Model(api, bytes);
   const warnings = [], warn = (where, what) => warnings.push([where, what]);
 
+  // What cannot be read beside the shapes costs no more than itself.
+  const attempt = (what, find) => {
+    try {
+      return find();
+    } catch {
+      warn(what, 'cannot be read from this model: left out');
+      return [];
+    }
+  };
   if (!bytes.subarray(-4096).includes('END-ISO-10303-21'))
     warn('file', 'ends before END-ISO-10303-21: it is cut off, and what is missing is not known');
   const broken = brokenEntities(bytes);
@@ -37,6 +48,7 @@ async function read(bytes) {
     if (missing) warn(label(id), `leads to #${missing}, which is not in the file: left out`);
     return !missing && typeof plain(line?.Representation) === 'number';
   });
+  attempt('surface styles', () => showDiffuseColours(model));
   const shapes = shapesOf(model, shaped), optics = opticsOf(model), storeys = new Storeys(model);
   const hasColour = colourTeller(model), isWhite = part => part.colour.every(c => c === 1);
   const elements = [];
@@ -51,15 +63,6 @@ async function read(bytes) {
     elements.push({type: model.typeName(id), name: model.text(model.line(id)?.Name),
                    object: `${model.typeName(id)}/${id}${storey ? '@' + storey : ''}`, reflectance, transmittance, parts});
   }
-  // What cannot be read beside the shapes costs no more than itself.
-  const attempt = (what, find) => {
-    try {
-      return find();
-    } catch {
-      warn(what, 'cannot be read from this model: left out');
-      return [];
-    }
-  };
   return {schema: model.schema, elements, rooms: attempt('rooms', () => roomsOf(model, storeys, warn)),
           portals: attempt('portals', () => portalsOf(model, shapes, optics)),
           luminaires: attempt('luminaires', () => luminairesOf(model, shapes, warn)), warnings};

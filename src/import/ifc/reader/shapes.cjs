@@ -1,6 +1,8 @@
 // Triangles of IFC's products, in metres, z up, in the axes of the world.
 'use strict';
 
+const {plain} = require('./model.cjs');
+
 /** web-ifc turns models to y up; this turns them back. Float32 leaves no more than 0.01 mm. */
 function worldPoint(m, x, y, z) {
   const round = value => Math.round(value * 1e5) / 1e5 + 0;
@@ -78,4 +80,22 @@ function floorOf(parts) {
   return {corners, area};
 }
 
-module.exports = {shapesOf, boxOf, floorOf};
+/** The bounding boxes (IfcBoundingBox) among a product's representations as parts, which web-ifc does not show. */
+function boundingBoxesOf(model, id) {
+  const list = value => [plain(value) ?? []].flat();
+  const matrix = model.placement(id);
+  const shape = model.line(plain(model.line(id)?.Representation));
+  const items = list(shape?.Representations).flatMap(r => list(model.line(r)?.Items));
+  const boxes = items.map(item => model.line(item)).filter(line => line?.XDim !== undefined && line?.Corner !== undefined);
+  if (!matrix || !boxes.length) return undefined;
+  return boxes.map(box => {
+    const low = plain(model.line(plain(box.Corner)).Coordinates);
+    const size = [box.XDim, box.YDim, box.ZDim].map(plain);
+    const points = [0, 1, 2, 3, 4, 5, 6, 7].flatMap(
+        i => model.worldPoint(matrix, low.map((x, k) => x + (i >> k & 1) * size[k])));
+    const sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    return {points, triangles: sides.flatMap(([a, b, c, d]) => [a, b, c, a, c, d])};
+  });
+}
+
+module.exports = {shapesOf, boundingBoxesOf, boxOf, floorOf};

@@ -159,7 +159,8 @@ TEST(GltfImport, TexturesCountByTheirMeanAndMayBeMissing) {
   EXPECT_NEAR(model.import().surfaces.at(0).reflectance[0], 0.2158605, 1e-6);
   for (const char* uri : {"gone.png", "../../etc/passwd"}) {
     model.document["images"] = {{{"uri", uri}}};
-    EXPECT_THAT(model.warnings(), HasSubstr("images[0]: is missing")) << uri;
+    EXPECT_THAT(model.warnings(), HasSubstr("images[0] \"" + std::string(uri) + "\": is missing"));
+    EXPECT_NEAR(model.import().surfaces.at(0).reflectance[0], 0.5, 1e-12);  // not white
   }
 }
 
@@ -202,6 +203,14 @@ TEST(GltfImport, FaultsNameTheirKey) {
   using Json = GltfModel::Json;
   EXPECT_THAT(fault([](Json& d) { d["asset"]["version"] = "1.0"; }),
               HasSubstr("asset.version: is \"1.0\""));
+  EXPECT_THAT(fault([](Json& d) { d["asset"]["minVersion"] = "2.1"; }),
+              HasSubstr("asset.minVersion: asks for a reader of glTF \"2.1\""));
+  EXPECT_THAT(
+      fault([](Json& d) {
+        d["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", -1}}};
+        d["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+      }),
+      HasSubstr("lights[0]: has an intensity or a colour below zero"));
   EXPECT_THAT(fault([](Json& d) { d["accessors"][0]["count"] = 4e9; }),
               HasSubstr("too many numbers"));
   EXPECT_THAT(fault([](Json& d) { d["accessors"][0]["count"] = 5; }), HasSubstr("reaches out of"));

@@ -139,6 +139,40 @@ TEST_F(IfcImport, ColoursAndGlass) {
   EXPECT_LT(glm::length(glazed.scene.building.portals[0].box.lo - Vec3(1, -0.1, 1)), 1e-4);
 }
 
+TEST_F(IfcImport, TheDiffuseColourOfARenderingIsItsReflectance) {
+  const auto red_of = [](const std::string& diffuse) {
+    return import(model(wall +
+                        "#29=IFCCOLOURRGB($,0.2,0.3,0.4);\n#30=IFCCOLOURRGB($,0.8,0.6,0.4);\n"
+                        "#31=IFCSURFACESTYLERENDERING(#30,0.," +
+                        diffuse +
+                        ",$,$,$,$,$,.FLAT.);\n#32=IFCSURFACESTYLE($,.BOTH.,(#31));\n"
+                        "#33=IFCSTYLEDITEM(#100,(#32),$);\n"))
+        .scene.surfaces[0]
+        .reflectance[0];
+  };
+  EXPECT_NEAR(red_of("$"), 0.8, 1e-6);
+  EXPECT_NEAR(red_of("#29"), 0.2, 1e-6);
+  EXPECT_NEAR(red_of("IFCNORMALISEDRATIOMEASURE(0.5)"), 0.4, 1e-6);
+  EXPECT_NEAR(red_of("IFCNORMALISEDRATIOMEASURE(0.)"), 0.8, 1e-6);  // written for none
+}
+
+TEST_F(IfcImport, ASpaceMayHaveABoundingBoxAlone) {
+  const auto [scene, warnings] = import(model(
+      wall +
+      "#400=IFCCARTESIANPOINT((500.,0.,0.));\n#401=IFCBOUNDINGBOX(#400,4000.,5000.,3000.);\n"
+      "#402=IFCSHAPEREPRESENTATION(#3,'Box','BoundingBox',(#401));\n"
+      "#403=IFCPRODUCTDEFINITIONSHAPE($,$,(#402));\n#404=IFCCARTESIANPOINT((1000.,2000.,100.));\n"
+      "#405=IFCDIRECTION((0.,1.,0.));\n#406=IFCAXIS2PLACEMENT3D(#404,#13,#405);\n"
+      "#407=IFCLOCALPLACEMENT(#8,#406);\n"
+      "#420=IFCSPACE('0000000000000000000040',$,'101',$,$,#407,#403,$,.ELEMENT.,$,$);\n"));
+  ASSERT_EQ(scene.building.rooms.size(), 1u);
+  const BuildingRoom& room = scene.building.rooms[0];
+  EXPECT_LT(glm::length(room.box.lo - Vec3(-4, 2.5, 0.1)), 1e-4);
+  EXPECT_LT(glm::length(room.box.hi - Vec3(1, 6.5, 3.1)), 1e-4);
+  EXPECT_NEAR(room.floor_area_m2, 20.0, 1e-3);
+  EXPECT_EQ(room.outline.size(), 4u);
+}
+
 TEST_F(IfcImport, SpacesBecomeRoomsAndFixturesLights) {
   const std::string room =
       box(400, 0, 0, 0, 4000, 5000, 3000) +
@@ -179,10 +213,12 @@ TEST_F(IfcImport, FixturesWithoutABodyShineFromTheirPlace) {
   const std::string place =
       "#500=IFCCARTESIANPOINT((1000.,2000.,2500.));\n#501=IFCAXIS2PLACEMENT3D(#500,$,$);\n"
       "#502=IFCLOCALPLACEMENT(#8,#501);\n";
-  // One by the flux of its light source, one by a property of its type.
+  // One by the flux of its light source, which has a place of its own, one by a property of its
+  // type.
   const std::string source =
       "#510=IFCCOLOURRGB($,1.,1.,1.);\n"
-      "#511=IFCLIGHTSOURCEGONIOMETRIC('n',#510,$,$,#2,$,6000.,2500.,.LIGHTEMITTINGDIODE.,$);\n"
+      "#508=IFCCARTESIANPOINT((0.,0.,-200.));\n#509=IFCAXIS2PLACEMENT3D(#508,$,$);\n"
+      "#511=IFCLIGHTSOURCEGONIOMETRIC('n',#510,$,$,#509,$,6000.,2500.,.LIGHTEMITTINGDIODE.,$);\n"
       "#512=IFCSHAPEREPRESENTATION(#3,'Lighting','LightSource',(#511));\n"
       "#513=IFCPRODUCTDEFINITIONSHAPE($,$,(#512));\n"
       "#514=IFCLIGHTFIXTURE('0000000000000000000050',$,'a',$,$,#502,#513,$,$);\n";
@@ -197,8 +233,13 @@ TEST_F(IfcImport, FixturesWithoutABodyShineFromTheirPlace) {
   EXPECT_EQ(building.luminaires[0].flux_lm, 2500.0);
   EXPECT_EQ(building.luminaires[1].flux_lm, 1200.0);
   EXPECT_EQ(building.luminaires[1].type, "T5");
-  for (const BuildingLuminaire& lamp : building.luminaires)
-    EXPECT_LT(glm::length(lamp.p - Vec3(1, 2, 2.5)), 1e-6);
+  EXPECT_LT(glm::length(building.luminaires[0].p - Vec3(1, 2, 2.3)), 1e-6);
+  EXPECT_LT(glm::length(building.luminaires[1].p - Vec3(1, 2, 2.5)), 1e-6);
+  const std::string spot =
+      "#530=IFCCOLOURRGB($,1.,1.,1.);\n"
+      "#531=IFCLIGHTSOURCESPOT('beam',#530,$,1000.,#1,100.,0.,0.,0.,#13,1.,0.5,0.3);\n";
+  EXPECT_THAT(import(model(wall + spot)).warnings,
+              HasSubstr("IfcLightSourceSpot \"beam\": tells no luminous flux: left out"));
 }
 
 TEST_F(IfcImport, DoorsMayStandOpen) {

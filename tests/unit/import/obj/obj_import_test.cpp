@@ -57,6 +57,17 @@ TEST(ObjImport, WhatWritersOfTextDo) {
   EXPECT_EQ(warnings, "");
 }
 
+TEST(ObjImport, NamesOfFilesAsOtherSystemsWriteThem) {
+  for (const char* name : {"\"M.mtl\"", "M.MTL", ".\\m.mtl", "\"m.mtl\" ", "m.mtl \"m.mtl\""}) {
+    const auto [scene, warnings] = import_text(
+        "mtllib " + std::string(name) + "\r" + "v 0 0 0\rv 1 0 0\rv 0 1 0\rusemtl a\rf 1 2 3\r",
+        "newmtl a\rKd .25 .25 .25\r");
+    ASSERT_EQ(scene.surfaces.size(), 1u) << name;
+    EXPECT_EQ(scene.surfaces[0].reflectance[0], 0.25) << name;
+    EXPECT_EQ(warnings, "") << name;
+  }
+}
+
 TEST(ObjImport, WhatIsMissingIsTold) {
   const auto [scene, warnings] = import_text(
       "mtllib nowhere.mtl\nmtllib m.mtl\n" + corners + "f 1 2 3\nusemtl wal\nf 3 4 5\n",

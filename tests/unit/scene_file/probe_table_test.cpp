@@ -1,0 +1,38 @@
+// Tables of points as spreadsheets of several countries write them.
+#include "json/input_file.hpp"
+#include "unit/scene/test_scenes.hpp"
+
+namespace enfilade {
+namespace {
+
+/// The answers of 12.5 at each point of this table, as a table.
+std::string answered(const std::string& table, std::vector<Probe>* probes = nullptr) {
+  const TemporaryFolder folder;
+  const ProbeFile file = read_probes(folder.write("points.csv", table));
+  if (probes != nullptr) *probes = file.probes;
+  const std::vector<ProbeAnswer> answers(
+      file.probes.size(), {Spectrum{12.5}, Spectrum{0.5}, {}, {{"desk; left", Spectrum{2.5}}}});
+  write_probe_answers(file, folder.file("answers.csv"), answers, "gather",
+                      ExitanceUnit::lumen_per_m2);
+  return read_bytes(folder.file("answers.csv"));
+}
+
+TEST(ProbeTableFile, KeepsItsSeparatorAndDecimalSign) {
+  std::vector<Probe> probes;
+  EXPECT_EQ(answered("x;y;z;who\n1,5;2;0,75;\"a; b\"\n", &probes),
+            "x;y;z;who;E;error;unit;from;\"E by desk; left\"\n"
+            "1,5;2;0,75;\"a; b\";12,5;0,5;lx;gather;2,5\n");
+  EXPECT_EQ(probes[0].p, Vec3(1.5, 2, 0.75));
+  EXPECT_EQ(answered("# points\n1.5;2;0.75\n"),
+            "x;y;z;E;error;unit;from;\"E by desk; left\"\n1.5;2;0.75;12.5;0.5;lx;gather;2.5\n");
+  EXPECT_EQ(answered("x\ty\tz\n1.5\t2\t0.75\n", &probes),
+            "x\ty\tz\tE\terror\tunit\tfrom\tE by desk; left\n"
+            "1.5\t2\t0.75\t12.5\t0.5\tlx\tgather\t2.5\n");
+  EXPECT_EQ(probes[0].p, Vec3(1.5, 2, 0.75));
+  EXPECT_EQ(
+      answered("x,y,z,\"a;b\"\n1.5,2,0.75,c\n"),
+      "x,y,z,\"a;b\",E,error,unit,from,E by desk; left\n1.5,2,0.75,c,12.5,0.5,lx,gather,2.5\n");
+}
+
+}  // namespace
+}  // namespace enfilade
