@@ -215,6 +215,10 @@ void SolveOptions::check_scheme() const {
   if (order == "unshot-energy") refuse("--order", ": it needs one rank that sees every gather");
 }
 
+std::vector<Probe> SolveOptions::target_points() const {
+  return target_error_at.empty() ? std::vector<Probe>{} : read_probes(target_error_at).probes;
+}
+
 SolveConfig SolveOptions::config() const {
   if (input.empty() == replay.empty()) {
     throw InputError("command line", "solve", "takes either a scene or --replay RUN",
@@ -238,7 +242,6 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   config.patch_links = patch_links;
-  if (!target_error_at.empty()) config.gather.target_points = read_probes(target_error_at).probes;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;

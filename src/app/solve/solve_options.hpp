@@ -41,6 +41,8 @@ struct SolveOptions {
   bool target_is_given() const { return gave("--target-error"); }
   /// Throws InputError for values that are none or that do not go together.
   SolveConfig config() const;
+  /// The points of --target-error-at, which config() leaves out: one rank reads their file for all.
+  std::vector<Probe> target_points() const;
 
  private:
   void check_replay() const;
