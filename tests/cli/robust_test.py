@@ -181,6 +181,14 @@ class Files(InRun):
                 self.assertEqual(result.returncode, 1)
                 self.assertIn("standard output: cannot be written", result.stderr)
 
+    def test_a_file_of_the_run_is_no_output(self):
+        for name in ("run.json", "scene.json", "reports.json", "common/manifest.json"):
+            for command in (["probe", self.run_directory, "--points", ROOM], ["locate", self.run_directory, "--points", ROOM],
+                            ["export", self.run_directory]):
+                with self.subTest(name, command=command[0]):
+                    self.assert_refused(enfilade(*command, "-o", self.run_directory / name), name, "the run keeps for itself")
+        self.assertEqual(enfilade("info", self.run_directory).returncode, 0)
+
     def test_memory_that_runs_out_says_how_much_was_wanted(self):
         def info(path, mebibytes):
             limit = mebibytes << 20
@@ -213,11 +221,11 @@ class Names(InScratch):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("same outline", result.stderr)
         self.assert_plain(result.stderr + result.stdout)
-        for page in ("report.html", "walk.html"):
-            if (run / page).exists():  # walk.html needs npm when it is built
-                text = (run / page).read_text()
-                self.assert_plain(text)
-                self.assertNotRegex(text, r"\\u00(1b|07|00)")
+        self.assert_plain((run / "report.html").read_text())
+        if (run / "walk.html").exists():  # it needs npm when the program is built
+            walk = (run / "walk.html").read_text()
+            self.assert_plain(walk)
+            self.assertNotRegex(walk, r"\\u00(1b|07|00)")
         with (run / "surfaces.csv").open(newline="") as table:
             rows = list(csv.reader(table))
         for row in rows[1:]:

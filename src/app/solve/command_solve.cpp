@@ -25,6 +25,7 @@
 #include "run/prepare.hpp"
 #include "run/run_mark.hpp"
 #include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
 #include "schemes/protocol/prepare_on_root.hpp"
 #include "schemes/protocol/rank_profiles.hpp"
 #include "schemes/replay/replay.hpp"
@@ -56,7 +57,7 @@ SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
   session.communicator().on_root([&] {
     options.config();
     make_machine(options.cost_model);
-    points = options.target_points();
+    if (!options.target_error_at.empty()) points = read_probes(options.target_error_at).probes;
   });
   SolveConfig config = options.config();
   if (!options.target_error_at.empty())

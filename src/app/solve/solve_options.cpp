@@ -215,10 +215,6 @@ void SolveOptions::check_scheme() const {
   if (order == "unshot-energy") refuse("--order", ": it needs one rank that sees every gather");
 }
 
-std::vector<Probe> SolveOptions::target_points() const {
-  return target_error_at.empty() ? std::vector<Probe>{} : read_probes(target_error_at).probes;
-}
-
 SolveConfig SolveOptions::config() const {
   if (input.empty() == replay.empty()) {
     throw InputError("command line", "solve", "takes either a scene or --replay RUN",

@@ -40,9 +40,8 @@ struct SolveOptions {
   bool basis_is_given() const;
   bool target_is_given() const { return gave("--target-error"); }
   /// Throws InputError for values that are none or that do not go together.
+  /// The points of `target_error_at` are left out: one rank reads their file for all.
   SolveConfig config() const;
-  /// The points of --target-error-at, which config() leaves out: one rank reads their file for all.
-  std::vector<Probe> target_points() const;
 
  private:
   void check_replay() const;
