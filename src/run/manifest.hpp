@@ -14,7 +14,8 @@
 
 namespace enfilade {
 
-/// 10: kept light, extrapolation. 9: sums of rows, relaxation. 8: checksum, run and preparation. 7: the building's hierarchy.
+/// 10: kept light, extrapolation. 9: sums of rows, relaxation. 8: checksum, run and preparation. 7:
+/// the building's hierarchy.
 inline constexpr int manifest_version = 10;
 
 struct Manifest {
