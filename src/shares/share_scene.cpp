@@ -43,6 +43,8 @@ Scene share_scene(const Scene& scene, std::span<const ShareGroup> groups) {
   wide.lead_bands = scene.bands;
   for (std::size_t i = 0; i < wide.surfaces.size(); ++i) {
     repeat(wide.surfaces[i].reflectance, bands, groups.size());
+    if (!wide.surfaces[i].transmittance.empty())
+      repeat(wide.surfaces[i].transmittance, bands, groups.size());
     set_apart(wide.surfaces[i].exitance, bands, groups.size(), number.of_surface[i]);
   }
   for (std::size_t i = 0; i < wide.lights.size(); ++i)

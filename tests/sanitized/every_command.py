@@ -50,6 +50,7 @@ def commands(folder):
 def write_inputs(folder):
     scene = json.loads((ROOT / "tests/cli/room.json").read_text())
     scene["lights"] = [{"type": "point", "p": [1.1, 0.9, 1.5], "intensity": [20], "switch": "desk"}]
+    scene["surfaces"].append({"vertices": [[3, 1, 1], [3.4, 1, 1], [3.4, 1, 1.5], [3, 1, 1.5]], "transmittance": 0.8, "reflectance": 0.05})
     (folder / "room.json").write_text(json.dumps(scene))
     scene["lights"][0]["intensity"] = [10]
     (folder / "dim.json").write_text(json.dumps(scene))

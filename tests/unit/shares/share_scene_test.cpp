@@ -23,7 +23,8 @@ Scene two_bands() {
 }
 
 TEST(ShareScene, HasTheWholeLightAndThenEachGroupsOwn) {
-  const Scene scene = two_bands();
+  Scene scene = two_bands();
+  scene.surfaces[3].transmittance = {.4, .1};
   const Scene wide = share_scene(scene, share_groups(scene));  // bulb, floor, ceiling
   EXPECT_EQ(wide.bands, 8);
   EXPECT_EQ(wide.lead_bands, 2);
@@ -31,6 +32,8 @@ TEST(ShareScene, HasTheWholeLightAndThenEachGroupsOwn) {
   EXPECT_THAT(wide.surfaces[1].exitance, ElementsAre(5, 0, 0, 0, 0, 0, 5, 0));
   EXPECT_THAT(wide.surfaces[2].exitance, ElementsAre(0, 0, 0, 0, 0, 0, 0, 0));
   EXPECT_THAT(wide.surfaces[2].reflectance, ElementsAre(.5, .2, .5, .2, .5, .2, .5, .2));
+  EXPECT_THAT(wide.surfaces[3].transmittance, ElementsAre(.4, .1, .4, .1, .4, .1, .4, .1));
+  EXPECT_TRUE(wide.surfaces[2].transmittance.empty());
   EXPECT_THAT(wide.lights[0].intensity, ElementsAre(7, 8, 7, 8, 0, 0, 0, 0));
   EXPECT_EQ(share_band(2, 1, 0), 4u);
 }
