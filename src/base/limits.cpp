@@ -21,6 +21,14 @@ Fault fault_of_place(const Vec3& p) {
   return {"lies beyond 1e9 m", "check the numbers and the unit of length"};
 }
 
+Fault fault_of_opening(const Vec3& size) {
+  for (const double extent : {size.x, size.y, size.z}) {
+    if (extent != 0.0 && !(extent >= smallest_opening_m && extent <= largest_opening_m))
+      return {"has a length out of range", "write 0, or lengths from 1e-6 m to 10 km"};
+  }
+  return {};
+}
+
 Fault fault_of_light(double light) {
   if (!std::isfinite(light)) return {"not a finite number", "write a number"};
   if (light < 0.0) return {"below zero", "write 0 or more"};

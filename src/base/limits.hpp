@@ -13,6 +13,8 @@ namespace enfilade::limits {
 inline constexpr double farthest_m = 1e9;
 /// A scene of less extent is no building in any unit: its areas, squared, would underflow.
 inline constexpr double smallest_extent_m = 1e-6;
+/// Of one extent of a luminaire's opening; 0 stands for none.
+inline constexpr double largest_opening_m = 1e4, smallest_opening_m = 1e-6;
 /// Light, per band, in the scene's unit: products of it with areas and errors stay finite.
 inline constexpr double most_light = 1e30, least_light = 1e-30;
 inline constexpr std::size_t most_bands = 1024;
@@ -29,6 +31,8 @@ struct Fault {
 
 /// Of a place, metres.
 Fault fault_of_place(const Vec3& p);
+/// Of the extents of a luminaire's opening, metres.
+Fault fault_of_opening(const Vec3& size);
 /// Of light in one band: 0, or from least_light to most_light.
 Fault fault_of_light(double light);
 /// Of a count of `things` ("surfaces").

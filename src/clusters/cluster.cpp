@@ -128,6 +128,7 @@ class CellClusters {
       const Piece& piece = pieces_[i]->piece;
       cluster.polygons.push_back({piece.surface, piece.polygon});
       cluster.polygons.back().reversed = piece.reversed;
+      cluster.polygons.back().walked_dark = pieces_[i]->unreachable;
       cluster.bounds.add(bounds(piece.polygon));
       cluster.area_m2 += area_m2(piece.polygon);
       if (object_of(i) != cluster.object) cluster.object.clear();

@@ -22,7 +22,8 @@ struct ClusterPolygon {
   /// front alone has a transmittance (per band, at normal incidence); so light is dimmed once.
   bool pane = false;
   Spectrum transmittance{};
-  bool reversed = false;  ///< the back of a two-sided surface
+  bool reversed = false;     ///< the back of a two-sided surface
+  bool walked_dark = false;  ///< random walks found no light (unreachable_parts.hpp)
 };
 
 /// Polygons of one cell: an object, a polygon, or neighbouring polygons.

@@ -5,7 +5,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view mark = "enfilade-clusters-3";
+constexpr std::string_view mark = "enfilade-clusters-4";
 
 }  // namespace
 
@@ -23,7 +23,8 @@ std::string to_bytes(std::span<const Cluster> clusters) {
     for (const ClusterPolygon& polygon : cluster.polygons) {
       out.put(polygon.surface.value);
       out.put_all<std::uint32_t>(polygon.polygon);
-      out.put(static_cast<std::uint8_t>((polygon.pane ? 1 : 0) + (polygon.reversed ? 2 : 0)));
+      out.put(static_cast<std::uint8_t>((polygon.pane ? 1 : 0) + (polygon.reversed ? 2 : 0) +
+                                        (polygon.walked_dark ? 4 : 0)));
       if (polygon.pane) out.put_all<std::uint32_t>(polygon.transmittance);
       out.put(static_cast<std::uint32_t>(polygon.contacts.size()));
       for (const Segment& contact : polygon.contacts) {
@@ -54,6 +55,7 @@ std::vector<Cluster> clusters_from_bytes(std::string_view bytes) {
       const auto kind = in.get<std::uint8_t>();
       polygon.pane = (kind & 1u) != 0;
       polygon.reversed = (kind & 2u) != 0;
+      polygon.walked_dark = (kind & 4u) != 0;
       if (polygon.pane) polygon.transmittance = in.get_all<double, std::uint32_t>();
       polygon.contacts.resize(in.get_count<std::uint32_t>(2 * sizeof(Vec3)));
       for (Segment& contact : polygon.contacts) {

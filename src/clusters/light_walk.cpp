@@ -1,7 +1,8 @@
 // Random walks by ray casting, and next-event estimation at each step.
 #include "clusters/light_walk.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 #include "geometry/sampling.hpp"
 
@@ -9,6 +10,7 @@ namespace enfilade {
 namespace {
 
 constexpr int steps_from_dark = 8;
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 RayScene rays_of(const Scene& scene, std::span<const CellPiece> pieces) {
   std::vector<Polygon> polygons;
@@ -37,40 +39,51 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
                                    [](double e) { return e > 0.0; });
     if (emits) emitters_.push_back(static_cast<std::uint32_t>(faces_.size()));
     faces_.push_back({normal(piece.piece.polygon), emits});
+    last_found_.resize(std::max(last_found_.size(), piece.cell.index() + 1), none);
   }
 }
 
-bool LightWalk::finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const {
+bool LightWalk::finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int walks,
+                            Random& random) {
   for (int i = 0; i < walks; ++i) {
-    if (one_walk(p, n, random)) return true;
+    if (one_walk(piece, p, n, random)) return true;
   }
   return false;
 }
 
-bool LightWalk::one_walk(Vec3 p, Vec3 n, Random& random) const {
+bool LightWalk::one_walk(std::size_t piece, Vec3 p, Vec3 n, Random& random) {
   int steps = 0;
   while (steps < max_bounces_) {
     p += offset_m_ * n;
-    if (sees_light(p, n, random)) return true;
+    if (finds_light_from(piece, p, n, random)) return true;
     const double r2 = random.uniform(), turn = random.uniform();
     const Vec3 d = cosine_direction(n, r2, turn);
     const RayHit hit = rays_.closest(p, d);
     if (!hit.any() || !hit.front) return false;
-    if (faces_[hit.polygon].emits) return true;
-    steps += faces_[hit.polygon].dark ? steps_from_dark : 1;
+    piece = hit.polygon;
+    if (faces_[piece].emits) return true;
+    steps += faces_[piece].dark ? steps_from_dark : 1;
     p += hit.distance_m * d;
-    n = faces_[hit.polygon].n;
+    n = faces_[piece].n;
   }
   return false;
 }
 
-/// One light, drawn at random, is tested a step: a point is tested by many walks of many steps.
-bool LightWalk::sees_light(const Vec3& p, const Vec3& n, Random& random) const {
+/// A point is tested by many walks of many steps, so that all lights get their turn.
+bool LightWalk::finds_light_from(std::size_t piece, const Vec3& p, const Vec3& n, Random& random) {
   const std::size_t count = lights_.size() + emitters_.size();
   if (count == 0) return false;
-  const std::size_t i = random.below(count);
-  return i < lights_.size() ? sees_light(p, n, lights_[i], random)
-                            : sees_emitter(p, n, emitters_[i - lights_.size()], random);
+  std::size_t& last = last_found_[pieces_[piece].cell.index()];
+  if (last < count && sees(last, p, n, random)) return true;
+  const std::size_t any = random.below(count);
+  if (any == last || !sees(any, p, n, random)) return false;
+  last = any;
+  return true;
+}
+
+bool LightWalk::sees(std::size_t light, const Vec3& p, const Vec3& n, Random& random) const {
+  return light < lights_.size() ? sees_light(p, n, lights_[light], random)
+                                : sees_emitter(p, n, emitters_[light - lights_.size()], random);
 }
 
 bool LightWalk::sees_light(const Vec3& p, const Vec3& n, const LightSource& light,

@@ -15,20 +15,22 @@ namespace enfilade {
 /// Keeps references to the scene's lights and the pieces, which must outlive it.
 class LightWalk {
  public:
-  /// Each step of a walk starts `offset_m` in front of a polygon and tests one light or emitting
-  /// piece, drawn at random, by a shadow ray. A walk ends without light after `max_bounces` steps;
-  /// a step from a piece that is marked dark counts for eight, since hollows have many pieces.
+  /// Each step of a walk starts `offset_m` in front of a polygon and tests two lights or emitting
+  /// pieces by shadow rays: the one that was found last from a piece of the same cell, and one
+  /// drawn at random. A walk ends without light after `max_bounces` steps; a step from a piece that
+  /// is marked dark counts for eight, since hollows have many pieces.
   LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
             int max_bounces);
 
   /// Marks a whole piece from which no walk has found light.
   void mark_dark(std::size_t piece) { faces_[piece].dark = true; }
-  /// True if any of `walks` walks from p, on a plane with unit normal n, finds light.
-  bool finds_light(const Vec3& p, const Vec3& n, int walks, Random& random) const;
+  /// True if any of `walks` walks from p, on piece `piece` with unit normal n, finds light.
+  bool finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int walks, Random& random);
 
  private:
-  bool one_walk(Vec3 p, Vec3 n, Random& random) const;
-  bool sees_light(const Vec3& p, const Vec3& n, Random& random) const;
+  bool one_walk(std::size_t piece, Vec3 p, Vec3 n, Random& random);
+  bool finds_light_from(std::size_t piece, const Vec3& p, const Vec3& n, Random& random);
+  bool sees(std::size_t light, const Vec3& p, const Vec3& n, Random& random) const;
   bool sees_light(const Vec3& p, const Vec3& n, const LightSource& light, Random& random) const;
   bool sees_emitter(const Vec3& p, const Vec3& n, std::uint32_t emitter, Random& random) const;
 
@@ -42,6 +44,7 @@ class LightWalk {
   int max_bounces_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> emitters_;
+  std::vector<std::size_t> last_found_;  ///< per cell: a light or, after them, an emitter
   RayScene rays_;
 };
 

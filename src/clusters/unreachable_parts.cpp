@@ -44,9 +44,11 @@ std::vector<Segment> in_front(const std::vector<Segment>& segments, const Plane&
 /// Cuts one piece into reachable and unreachable parts.
 class PieceCut {
  public:
-  PieceCut(const Polygon& polygon, std::vector<Segment> segments, const LightWalk& walk,
-           const UnreachableConfig& config, double tolerance_m, double min_length_m, Random random)
-      : n_(normal(polygon)),
+  PieceCut(std::size_t piece, const Polygon& polygon, std::vector<Segment> segments,
+           LightWalk& walk, const UnreachableConfig& config, double tolerance_m,
+           double min_length_m, Random random)
+      : piece_(piece),
+        n_(normal(polygon)),
         walk_(walk),
         config_(config),
         tolerance_m_(tolerance_m),
@@ -56,6 +58,7 @@ class PieceCut {
   }
 
   std::vector<Part> parts() {
+    nodes_[0].unreachable = is_unreachable(nodes_[0].polygon);
     cut();
     classify();
     std::vector<Part> found;
@@ -110,14 +113,15 @@ class PieceCut {
     return true;
   }
 
-  /// Is light found on one side of the contact and not on the other, at one of three points?
+  /// Is light found on one side of the contact and not on the other, at one of three points? Where
+  /// none was found from the whole piece, few walks look for it.
   bool parts_reachable_ground(const Segment& s, const Vec3& across) {
+    const int walks = config_.walks / (nodes_[0].unreachable ? 16 : 2);
     for (const double t : {0.5, 0.15, 0.85}) {
       const Vec3 p = s.a + t * (s.b - s.a);
       const Vec3 aside = 4.0 * tolerance_m_ * across;
-      const int walks = config_.walks / 2;
-      if (walk_.finds_light(p + aside, n_, walks, random_) !=
-          walk_.finds_light(p - aside, n_, walks, random_)) {
+      if (walk_.finds_light(piece_, p + aside, n_, walks, random_) !=
+          walk_.finds_light(piece_, p - aside, n_, walks, random_)) {
         return true;
       }
     }
@@ -140,13 +144,14 @@ class PieceCut {
       const double r1 = random_.uniform(), r2 = random_.uniform();
       const Vec3 p = point_in_triangle(polygon[0], polygon[k - 1], polygon[k], r1, r2);
       const int walks = std::max(1, config_.walks / points_of_part);
-      if (walk_.finds_light(c + inside_share * (p - c), n_, walks, random_)) return false;
+      if (walk_.finds_light(piece_, c + inside_share * (p - c), n_, walks, random_)) return false;
     }
     return true;
   }
 
   /// Leaves are classified by walks; two leaves of one node that are alike become whole again.
   void classify() {
+    if (nodes_.size() == 1) return;  // was classified as a whole
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       Node& node = nodes_[i];
       if (node.front == 0) {
@@ -202,8 +207,9 @@ class PieceCut {
     return true;
   }
 
+  std::size_t piece_;
   Vec3 n_;
-  const LightWalk& walk_;
+  LightWalk& walk_;
   const UnreachableConfig& config_;
   double tolerance_m_, min_length_m_;
   Random random_;
@@ -227,7 +233,7 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
   std::vector<CellPiece> cut;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i].piece;
-    PieceCut one(piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
+    PieceCut one(i, piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
                  Random(config.seed * 0x9E3779B97F4A7C15ull + i));
     std::vector<Part> parts = one.parts();
     if (std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.unreachable; }))

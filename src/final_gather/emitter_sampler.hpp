@@ -81,6 +81,10 @@ class EmitterSampler {
     }
   };
   std::span<const Emitter> bright() const { return bright_; }
+  /// The irradiance (largest band) that each of bright() would give at p if nothing hid it.
+  std::vector<double> bright_unoccluded(const Vec3& p, const Vec3& n, std::uint32_t own) const {
+    return unoccluded(bright_, p, n, own);
+  }
 
  private:
   /// The other polygons of a cluster.

@@ -30,6 +30,8 @@ constexpr int most_bounces = 64;
 constexpr int most_survey_rays = 576;  ///< show what a point sees, before others estimate its light
 constexpr int most_ray_sets = 16;      ///< for one point, each of rays_in_set() rays
 constexpr double unseen_noise = 2e-5;  ///< Less of the mean irradiance does not matter.
+/// Of the mean irradiance: in darker places noise may be a larger share of the light.
+constexpr double dark_share = 0.02;
 /// Noise of so much of the error of the reflected light adds next to nothing to it; it may be so
 /// many times what is asked for without that error.
 constexpr double share_of_error = 0.25, most_easing = 2.0;
@@ -180,8 +182,9 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
 /// Returns the noise that is allowed at a point with this much light in a band, of which some is
 /// reflected.
 double PointGather::Impl::most_noise(std::size_t band, double light, double reflected) const {
-  const double least = std::max(config.least_noise() * light, unseen_noise * mean_irradiance[band]);
-  if (config.noise) return least;
+  const double mean = mean_irradiance[band];
+  if (config.noise) return std::max(*config.noise * light, unseen_noise * mean);
+  const double least = config.least_noise() * (light + dark_share * mean);
   return std::clamp(share_of_error * reflected_error(band, reflected), least, most_easing * least);
 }
 

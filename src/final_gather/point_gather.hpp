@@ -16,8 +16,9 @@ namespace enfilade {
 struct PointGatherConfig {
   std::optional<int> rays{};  ///< in a set, over the hemisphere; none: by `patch_error`
   /// A point gets further sets of rays, up to 16, while their noise (standard error) is above this
-  /// share of its light and above 2e-5 of the mean irradiance; by default up to twice as much,
-  /// where a quarter of the reflected light's error is more. 0 = one set.
+  /// share of its light and above 2e-5 of the mean irradiance. By default: above that share of its
+  /// light and of a fiftieth of the mean irradiance; up to twice as much, where a quarter of the
+  /// reflected light's error is more. 0 = one set.
   std::optional<double> noise{};
   std::uint64_t seed = 1;
   /// Relative error of the light of patches. The larger it is, the farther away a patch must be for

@@ -234,7 +234,7 @@ GatherResult Gatherer::finish() {
   if (changed_) receiver_.links() = std::move(refined_);
   if (far_flow_) result_.coarse.far = far_flow_->entries(*shooters_.unknowns);
   if (config_.close_rows) close_rows();
-  push_pull(receiver_, light_.irradiance(), config_.relaxation, result_.figures, result_.coarse);
+  push_pull(receiver_, light_.irradiance(), config_, result_.figures, result_.coarse);
   result_.figures.error_samples = samples_.compare(receiver_);
   result_.figures.patches = receiver_.patches().size();
   result_.figures.links = receiver_.links().size();

@@ -31,6 +31,9 @@ struct GatherConfig {
   /// The light of shares (Scene::lead_bands) changes by this factor times the change that the
   /// gather finds; that of the lead bands not at all. Without shares, all light is as gathered.
   double relaxation = 1.0;
+  /// Above 1: how many times as far as this and the last gather together have brought it the light
+  /// within each aggregate goes (extrapolate.hpp). From 1 on, the light is kept for that; 0 = not.
+  double extrapolation = 0.0;
   ErrorSampleConfig error_samples;  ///< by default there are none
 };
 

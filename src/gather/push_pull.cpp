@@ -3,24 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gather/extrapolate.hpp"
+
 namespace enfilade {
 namespace {
-
-/// Power that arrives at the leaves: [aggregate * bands + band].
-std::vector<double> arriving_power(const ClusterState& receiver) {
-  const PatchForest& patches = receiver.patches();
-  const auto bands = static_cast<std::size_t>(patches.bands()),
-             terms = static_cast<std::size_t>(patches.terms());
-  std::vector<double> sums(receiver.aggregates().size() * bands, 0.0), power(bands);
-  for (std::size_t n = 0; n < patches.size(); ++n) {
-    if (!patches.node(n).leaf()) continue;
-    for (std::size_t b = 0; b < bands; ++b) {
-      power[b] = patches.node(n).shape.area_m2 * patches.irradiance(n)[b * terms];
-    }
-    receiver.aggregates().add(patches, patches.node(n).id, power, sums);
-  }
-  return sums;
-}
 
 /// Sums the power that arrives at the leaves, and what becomes of it.
 void add_balance(const ClusterState& receiver, IterationFigures& figures, CoarseRow& row) {
@@ -88,19 +74,22 @@ void relax_shares(PatchForest& patches, std::span<const double> gathered, double
 
 }  // namespace
 
-void push_pull(ClusterState& receiver, std::span<const double> gathered, double relaxation,
+void push_pull(ClusterState& receiver, std::span<const double> gathered, const GatherConfig& config,
                IterationFigures& figures, CoarseRow& row) {
   PatchForest& patches = receiver.patches();
   const auto bands = static_cast<std::size_t>(patches.bands());
   const std::vector<double> before(patches.radiosities().begin(), patches.radiosities().end());
   row.before = arriving_power(receiver);
   if (patches.lead_bands() < patches.bands()) {
-    relax_shares(patches, gathered, relaxation);
+    relax_shares(patches, gathered, config.relaxation);
     // Each link has been gathered over once for each light.
     figures.work.links_gathered *=
         static_cast<std::uint64_t>(patches.bands() / patches.lead_bands());
   } else {
+    const std::vector<float> earlier = patches.take_kept_light();
+    if (config.extrapolation >= 1.0) patches.keep_light();
     patches.push_pull(gathered);
+    if (config.extrapolation > 1.0) extrapolate(receiver, earlier, config.extrapolation);
   }
   figures.work.push_pulls += patches.size();
   add_change(patches, before, figures);

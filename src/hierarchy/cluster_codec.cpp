@@ -164,6 +164,7 @@ void ClusterCodec::write_patches(const PatchForest& f, ByteWriter& w) {
   w.put_all(f.radiosity_);
   w.put_all(f.irradiance_);
   w.put_all(f.deviation_);
+  w.put_all(f.kept_);
   w.put_all(f.enclosed_share_);
   w.put(f.lit_when_measured_);
   w.put_all(f.unreachable_);
@@ -180,6 +181,7 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
   f.radiosity_ = r.get_all<double>();
   f.irradiance_ = r.get_all<double>();
   f.deviation_ = r.get_all<double>();
+  f.kept_ = r.get_all<float>();
   f.enclosed_share_ = r.get_all<float>();
   f.lit_when_measured_ = r.get<std::uint32_t>();
   f.unreachable_ = r.get_all<std::uint8_t>();
@@ -188,6 +190,9 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
       f.enclosed_share_.size() != f.nodes_.size() || f.unreachable_.size() != f.frames_.size()) {
     throw RunError("a cluster's record holds light for another number of patches");
   }
+  // Each split makes one leaf more.
+  if (!f.kept_.empty() && f.kept_.size() != (f.frames_.size() + splits.size()) * f.stride())
+    throw RunError("a cluster's record holds earlier light for another number of patches");
   f.pull_groups();
 }
 
@@ -218,7 +223,8 @@ LinkSet ClusterCodec::read_links(ByteReader& r, std::size_t stride) {
 
 std::size_t ClusterCodec::patches_bytes(const PatchForest& f) {
   return f.frames_.size() +
-         f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1));
+         f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1)) +
+         f.kept_.size() * sizeof(float);
 }
 
 std::size_t ClusterCodec::links_bytes(const LinkSet& l) {

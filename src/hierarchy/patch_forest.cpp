@@ -134,6 +134,7 @@ std::size_t PatchForest::add_halves(std::size_t leaf) {
 
 std::size_t PatchForest::subdivide(std::size_t leaf) {
   const std::size_t first = add_halves(leaf);
+  kept_.clear();
   for (std::size_t child = first; child < nodes_.size(); ++child) {
     const Vec2 shift = nodes_[child].shape.centroid - nodes_[leaf].shape.centroid;
     for (std::vector<double>* light : {&radiosity_, &irradiance_}) {
@@ -152,6 +153,16 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
   }
   return first;
 }
+
+void PatchForest::keep_light() {
+  kept_.clear();
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    if (!nodes_[n].leaf()) continue;
+    for (const double e : irradiance(n)) kept_.push_back(static_cast<float>(e));
+  }
+}
+
+std::vector<float> PatchForest::take_kept_light() { return std::exchange(kept_, {}); }
 
 void PatchForest::forget_enclosed_shares_below(std::uint32_t lit_polygons) {
   // One more lit polygon among hundreds changes no share by more than rays can tell.
@@ -195,7 +206,7 @@ std::size_t PatchForest::memory_bytes() const {
   }
   return nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
          (radiosity_.capacity() + irradiance_.capacity() + deviation_.capacity()) * sizeof(double) +
-         frames_.size() * (sizeof(PolygonFrame) + in_frames) +
+         kept_.capacity() * sizeof(float) + frames_.size() * (sizeof(PolygonFrame) + in_frames) +
          groups_.size() * (sizeof(GroupNode) + sizeof(double) * (2 * bands + 1));
 }
 
@@ -205,6 +216,7 @@ void PatchForest::shrink() {
   irradiance_.shrink_to_fit();
   deviation_.shrink_to_fit();
   enclosed_share_.shrink_to_fit();
+  kept_.shrink_to_fit();
   for (PatchNode& n : nodes_) n.shape.vertices.shrink_to_fit();
 }
 

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "import/gltf/gltf_import.hpp"
 #include "import/ifc/ifc_import.hpp"
+#include "import/intake/mesh_surfaces.hpp"
 #include "import/intake/own_process.hpp"
 #include "import/intake/scene_bytes.hpp"
 #include "import/obj/obj_import.hpp"
@@ -73,6 +74,7 @@ Scene import_model(const std::vector<std::string>& paths, const ImportOptions& o
     Warnings found;
     const Scene scene = reader(paths, options, found);
     check_limits(scene);
+    check_shapes(scene, found);
     return bytes_of(scene, without_repeats(found));
   };
   return scene_from(in_own_process(paths[0], {}, work), warnings);

@@ -89,12 +89,23 @@ void check_depth(const std::string& text, const std::string& path) {
   }
 }
 
+/// A number that overflows is no syntax error, and is told without its place.
+[[noreturn]] void refuse_number(const std::string& text, const std::string& path,
+                                const std::string& fault) {
+  const std::size_t begin = fault.find('\'') + 1, end = fault.rfind('\'');
+  const std::size_t at = end > begin ? text.find(fault.substr(begin, end - begin)) : text.size();
+  throw InputError(path, at < text.size() ? line_and_column(text, at + 1) : "file",
+                   "not valid JSON: " + fault, "write another number there");
+}
+
 template <class Json>
 [[noreturn]] void refuse(const std::string& text, const std::string& path,
-                         const typename Json::parse_error& error) {
-  const bool truncated = error.byte >= text.size();
+                         const typename Json::exception& error) {
+  const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&error);
+  if (syntax == nullptr) refuse_number(text, path, plain_fault(error.what()));
+  const bool truncated = syntax->byte >= text.size();
   throw InputError(
-      path, line_and_column(text, error.byte), "not valid JSON: " + plain_fault(error.what()),
+      path, line_and_column(text, syntax->byte), "not valid JSON: " + plain_fault(error.what()),
       truncated ? "the file ends too early, write it again" : "correct the text there");
 }
 
@@ -105,17 +116,12 @@ Json parse(const std::string& text, const std::string& path) {
   std::string repaired;
   try {
     return Json::parse(text);
-  } catch (const typename Json::exception& first) {
-    if (!quote_nonfinite(text, repaired)) {
-      const auto* syntax = dynamic_cast<const typename Json::parse_error*>(&first);
-      if (syntax != nullptr) refuse<Json>(text, path, *syntax);
-      throw InputError(path, "file", "not valid JSON: " + plain_fault(first.what()),
-                       "write it again");
-    }
+  } catch (const typename Json::exception& error) {
+    if (!quote_nonfinite(text, repaired)) refuse<Json>(text, path, error);
   }
   try {
     return Json::parse(repaired);
-  } catch (const typename Json::parse_error& error) {
+  } catch (const typename Json::exception& error) {
     refuse<Json>(repaired, path, error);
   }
 }

@@ -10,6 +10,8 @@ namespace enfilade {
 namespace {
 
 constexpr int most_sweeps = 64;
+/// A candidate that random walks found dark needs so many times fewer rays than another.
+constexpr int fewer_where_walked = 4;
 /// Of the share of the mean irradiance below which a polygon is a candidate, with a sky.
 constexpr double sky_share = 1e-3;
 /// Of the irradiance of all polygons, in one sweep: far below what decides.
@@ -30,7 +32,7 @@ class RoughSolution {
       for (const ClusterPolygon& p : c.polygons) {
         const Surface& surface = scene.surfaces[p.surface.index()];
         nodes_.push_back({&p.polygon, normal(p.polygon), centroid(p.polygon), area_m2(p.polygon),
-                          largest(surface.reflectance), largest(surface.exitance)});
+                          largest(surface.reflectance), largest(surface.exitance), p.walked_dark});
       }
     }
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
@@ -50,12 +52,14 @@ class RoughSolution {
     return nodes_[polygon].exitance <= 0.0 && irradiance_[polygon] <= share * mean_;
   }
   bool sees_an_emitter(std::uint32_t polygon) const;
+  bool walked_dark(std::uint32_t polygon) const { return nodes_[polygon].walked_dark; }
 
  private:
   struct Node {
     const Polygon* polygon;
     Vec3 n, center;
     double area_m2, reflectance, exitance;
+    bool walked_dark;
   };
   RayHit cast(std::uint32_t polygon, double r2, Random& random) const;
 
@@ -182,7 +186,8 @@ std::vector<char> unreachable_polygons(const Scene& scene, std::span<const Clust
   if (candidates.empty()) return unreachable;
   const int more =
       std::max(config.more_rays, config.least_rays / static_cast<int>(candidates.size()));
-  for (const std::uint32_t k : candidates) rough.sample_row(k, more);
+  for (const std::uint32_t k : candidates)
+    rough.sample_row(k, rough.walked_dark(k) ? more / fewer_where_walked : more);
   rough.solve();
   for (const std::uint32_t k : candidates) {
     const bool unlit = rough.nearly_unlit(k, share) && !rough.sees_an_emitter(k);

@@ -15,7 +15,8 @@ namespace enfilade {
 struct UnreachablePolygonsConfig {
   /// Of the scene's mean irradiance: a polygon with less, and without exitance, is a candidate.
   double share = 1e-4;
-  /// Rays per polygon at first, and more for each candidate. The fewer polygons there are, the more
+  /// Rays per polygon at first, and more for each candidate; a quarter of these where random walks
+  /// found no light either (ClusterPolygon::walked_dark). The fewer polygons there are, the more
   /// rays each has (least_rays), so that an opening of a hollow that all rays miss must be small.
   int rays = 16, more_rays = 128;
   int least_rays = 1 << 17;  ///< all polygons together, and again all candidates together

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/limits.hpp"
 #include "json/json_text.hpp"
 #include "scene/photopic.hpp"
 
@@ -106,11 +107,11 @@ LuminousOpening LightReader::opening_of(const json& size, const std::string& whe
     keys_.fail(where, "is " + shown(size), "write [x, y] or [x, y, z], or 0 for a point");
   LuminousOpening opening;
   for (std::size_t i = 0; i < size.size(); ++i) {
-    const double x = scale_ * keys_.finite(size[i], where + "[" + std::to_string(i) + "]");
-    if (!(x >= 0.0) || x > 1e4)
-      keys_.fail(where, "has a length out of range", "write lengths from 0 to 10 km");
-    opening.size[static_cast<int>(i)] = x;
+    const double x = keys_.finite(size[i], where + "[" + std::to_string(i) + "]");
+    opening.size[static_cast<int>(i)] = scale_ * x;
   }
+  if (const auto fault = limits::fault_of_opening(opening.size))
+    keys_.fail(where, fault.what, fault.hint);
   if (std::max({opening.size.x, opening.size.y, opening.size.z}) <= 0.0) return {};
   opening.shape = opening.size.z > 0.0 ? OpeningShape::box : OpeningShape::rectangle;
   return opening;

@@ -2,6 +2,8 @@
 // corrects the receivers' rows; the flux correction corrects what the columns lack.
 #pragma once
 
+#include <span>
+
 #include "scene/scene.hpp"
 #include "solver/iteration_plan.hpp"
 
@@ -17,11 +19,13 @@ SurfacesPower surfaces_power(const Scene& scene, Spectrum emitted);
 double unbalanced_share(const IterationFigures& figures, const SurfacesPower& surfaces,
                         std::size_t b);
 
-/// Returns IterationPlan::flux_correction for the iteration after `last`. It distributes lost power
-/// over patches by their uncertain irradiance, at most all of it. Unchanged while the share lost is
-/// below `tolerance` or below four times the estimated iteration error, and while rows are not
-/// closed.
-Spectrum flux_correction(const IterationSummary& last, const SurfacesPower& surfaces,
+/// Returns IterationPlan::flux_correction for the iteration after the last of `history`. It
+/// distributes lost power over patches by their uncertain irradiance, at most all of it. With the
+/// coarse correction, the power that will be lost in the end is foretold from the last iterations,
+/// so that the light need not come to rest after each change. Unchanged while that share is below
+/// `tolerance`, and while rows are not closed; without the coarse correction also while the share
+/// is below four times the estimated iteration error.
+Spectrum flux_correction(std::span<const IterationSummary> history, const SurfacesPower& surfaces,
                          double tolerance);
 
 }  // namespace enfilade

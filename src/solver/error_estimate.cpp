@@ -76,11 +76,6 @@ double local_error(std::span<const IterationSummary> history, std::size_t b) {
   return residual(sampled->figures.error_samples, b) * (then > 0.0 ? now / then : 1.0);
 }
 
-double most_reflected(const IterationFigures& figures) {
-  return worst(figures.arriving_power.size(),
-               [&](std::size_t b) { return reflected_share(figures, b); });
-}
-
 /// True where the last iteration tightened no tolerance, and used the row closure and the flux
 /// correction of the one before: only then is the ratio of their changes an estimate of the
 /// contraction factor.
@@ -114,8 +109,7 @@ double steady_ratio(std::span<const IterationSummary> history) {
   };
   std::vector<Step> steps;  // the last one first
   for (std::size_t i = history.size(); i-- > 1 && steps.size() < 3;) {
-    if (history[i].figures.work.links_refined + history[i - 1].figures.work.links_refined > 0)
-      break;
+    if (!few_links_refined(history[i]) || !few_links_refined(history[i - 1])) break;
     if (comparable(history[i], history[i - 1]))
       steps.push_back({i, ratio(history[i], history[i - 1])});
   }
@@ -140,6 +134,11 @@ double still_to_come(const IterationSummary& last, double passed_on) {
 }
 
 }  // namespace
+
+double most_reflected(const IterationFigures& figures) {
+  return worst(figures.arriving_power.size(),
+               [&](std::size_t b) { return reflected_share(figures, b); });
+}
 
 double contraction(std::span<const IterationSummary> history) {
   if (history.empty()) return 0.0;

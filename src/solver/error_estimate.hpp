@@ -14,6 +14,9 @@ namespace enfilade {
 /// the last three ratios of changes, once there are so many.
 double contraction(std::span<const IterationSummary> history);
 
+/// Returns the reflected share of the arriving light, worst band.
+double most_reflected(const IterationFigures& figures);
+
 /// Returns all parts of the estimate for the last iteration of `history`.
 /// Links: the local error is the relative difference between the patches' irradiance and that of
 /// the error samples, less the sampling noise; between samplings it is scaled by the sum of the

@@ -31,6 +31,7 @@ GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& sett
   config.close_rows = plan.close_rows;
   config.flux_correction = plan.flux_correction;
   config.relaxation = plan.relaxation;
+  config.extrapolation = plan.extrapolation;
   if (plan.sample) config.error_samples = error_samples(plan, area_m2);
   config.error_samples.importance = importance;
   config.refinement.link_tolerance = plan.link_tolerance;

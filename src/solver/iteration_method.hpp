@@ -28,7 +28,8 @@ struct IterationMethod {
   /// all receivers must read the same light of all of them, since otherwise a shift of light
   /// between aggregates would be counted as a change of power.
   bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
-    return jacobi || (coarse_correction && (plan.refine || plan.sample || unknowns.aggregated()));
+    return jacobi || (coarse_correction && (plan.refine || plan.sample ||
+                                            plan.extrapolation >= 1.0 || unknowns.aggregated()));
   }
 };
 

@@ -16,6 +16,7 @@ std::vector<double> to_numbers(const IterationPlan& plan) {
                                  static_cast<double>(plan.sample_rays),
                                  plan.received_power,
                                  plan.relaxation,
+                                 plan.extrapolation,
                                  plan.finished ? 1.0 : 0.0,
                                  plan.converged ? 1.0 : 0.0,
                                  static_cast<double>(plan.flux_correction.size())};
@@ -36,6 +37,7 @@ IterationPlan next_plan_of(NumberReader& n) {
   plan.sample_rays = static_cast<int>(n.next());
   plan.received_power = n.next();
   plan.relaxation = n.next();
+  plan.extrapolation = n.next();
   plan.finished = n.next() != 0.0;
   plan.converged = n.next() != 0.0;
   for (std::uint64_t bands = n.next_count(); bands > 0; --bands)

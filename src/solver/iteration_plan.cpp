@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/energy_conservation.hpp"
+#include "solver/extrapolation.hpp"
 
 namespace enfilade {
 namespace {
@@ -63,18 +64,23 @@ double links_error(const ErrorEstimate& error, bool with_patches) {
   return std::max(with_patches ? error.patches : 0.0, error.total()) - error.iteration;
 }
 
-/// True where much finer links reduced the error less than half as fast as their order predicts:
-/// the rest of the error does not come from the links.
+/// True where much finer links reduced the error less than half as fast as their order predicts,
+/// and at that rate much finer links once more would not reach the target: the rest of the error
+/// does not come from the links.
 bool refinement_stagnates(std::span<const IterationSummary> history, bool with_patches,
-                          const PlanWeights& w) {
+                          const PlanConfig& config) {
+  const PlanWeights& w = config.weights;
   const IterationSummary& now = history.back();
   for (std::size_t i = history.size() - 1; i-- > 0;) {
     const IterationSummary& then = history[i];
     const double finer = now.plan.link_tolerance / then.plan.link_tolerance;
     if (!then.plan.sample || !(finer <= w.much_finer)) continue;
-    return links_error(now.error, with_patches) >
-           std::pow(finer, w.stagnation_share / w.tolerance_order) *
-               links_error(then.error, with_patches);
+    const double error = links_error(now.error, with_patches);
+    const double remaining = error / links_error(then.error, with_patches);
+    if (remaining <= std::pow(finer, w.stagnation_share / w.tolerance_order)) return false;
+    if (remaining >= 1.0) return true;
+    const double order = std::log(remaining) / std::log(finer);
+    return w.fine_share * config.target_error < error * std::pow(w.much_finer, order);
   }
   return false;
 }
@@ -113,7 +119,7 @@ State next_state(std::span<const IterationSummary> history, const Observation& s
   if (seen.links_rest() && seen.iterations_converged) {
     const bool too_coarse = seen.links_error > w.fine_share * config.target_error;
     const bool can_be_finer = config.epsilon <= 0.0 && !nothing_left_to_refine(history) &&
-                              !refinement_stagnates(history, false, w);
+                              !refinement_stagnates(history, false, config);
     return too_coarse && can_be_finer ? State::tighten_tolerance : State::finish;
   }
   if (!seen.light_is_everywhere) return State::distribute;
@@ -145,9 +151,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   Observation seen;
   seen.light_is_everywhere =
       share_of_received(last.figures.change_power, last.figures.received_power) < w.settled_change;
-  seen.few_links_refined =
-      static_cast<double>(last.figures.work.links_refined) * w.links_per_refined <=
-      static_cast<double>(last.figures.links);
+  seen.few_links_refined = few_links_refined(last, w.links_per_refined);
   seen.rows_as_before = last.plan.close_rows == plan.close_rows;
   seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
   const double bound = last.error.iteration_bound;
@@ -156,12 +160,17 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   seen.good_enough_to_sample =
       bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
   const bool hold_patches = factor_to_patch_links(last, config) <= w.least_tightening &&
-                            !refinement_stagnates(history, true, w);
+                            !refinement_stagnates(history, true, config);
   seen.links_error = links_error(last.error, hold_patches);
   return seen;
 }
 
 }  // namespace
+
+bool few_links_refined(const IterationSummary& iteration, double per) {
+  return static_cast<double>(iteration.figures.work.links_refined) * per <=
+         static_cast<double>(iteration.figures.links);
+}
 
 IterationPlan first_plan(const PlanConfig& config) {
   IterationPlan plan;
@@ -182,21 +191,22 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   // Once closed, rows stay closed: closure changes the light, and leaving it out again would change
   // the light back, without end.
   plan.close_rows = light_is_everywhere || last.plan.close_rows;
-  plan.flux_correction = flux_correction(last, config.surfaces_power,
+  plan.flux_correction = flux_correction(history, config.surfaces_power,
                                          config.weights.iteration_share * config.target_error);
   const Observation seen = observe(history, plan, config);
   // Where little is absorbed, much more power arrives than is emitted, and errors are relative to
   // the arriving power. Once errors have been sampled, they tell how fine links must be.
   const bool sampled = std::any_of(history.begin(), history.end(),
                                    [](const IterationSummary& i) { return i.plan.sample; });
-  if (!seen.light_is_everywhere && !sampled && config.epsilon <= 0.0) {
-    plan.link_tolerance =
-        first_epsilon(config) * std::max(worst_band(config.emitted_power),
-                                         last.figures.received_power + last.missing_power);
-  }
   // Links that the last iteration did not refine stay within the tolerance, as the light hardly
   // changes.
   plan.refine = !(seen.light_is_everywhere && seen.few_links_refined);
+  if (plan.refine && !sampled && config.epsilon <= 0.0) {
+    const double received = std::max(worst_band(config.emitted_power),
+                                     last.figures.received_power + last.missing_power);
+    const double wanted = first_epsilon(config) * received;
+    plan.link_tolerance = seen.light_is_everywhere ? std::max(plan.link_tolerance, wanted) : wanted;
+  }
   switch (next_state(history, seen, config)) {
     case State::distribute:
       plan.renew_far = true;
@@ -223,6 +233,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
                        links_were_sampled(history);
       break;
   }
+  plan.extrapolation = extrapolation_of(plan, history);
   return plan;
 }
 

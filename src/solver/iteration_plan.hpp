@@ -22,6 +22,7 @@ struct IterationPlan {
   int sample_rays = 0;          ///< per sampled point
   double received_power = 0.0;  ///< power received in the previous iteration
   double relaxation = 1.0;      ///< GatherConfig::relaxation
+  double extrapolation = 0.0;   ///< GatherConfig::extrapolation
   Spectrum flux_correction;     ///< GatherConfig::flux_correction
   bool finished = false;        ///< there is no such iteration: the run ends
   bool converged = false;       ///< it ends because it is good enough, not because it gave up
@@ -47,6 +48,10 @@ struct IterationSummary {
   ErrorEstimate error;
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated
 };
+
+/// True where so few links were refined that the light comes to rest all the same: at most one in
+/// `per` (PlanWeights::links_per_refined).
+bool few_links_refined(const IterationSummary& iteration, double per = 1000.0);
 
 /// Called after every iteration.
 using IterationObserver = std::function<void(const IterationSummary&)>;
@@ -80,7 +85,7 @@ struct PlanWeights {
   /// patch_links.
   double link_order = 1.5;
   /// Refinement stagnates where a tolerance finer by much_finer brought less than stagnation_share
-  /// of the order that is expected.
+  /// of the order that is expected, and as much again would not reach the target.
   double much_finer = 1.0 / 8.0, stagnation_share = 0.5;
   /// Rays of a sampled point: sample_rays_times_target / target_error, within these limits. Noise
   /// is measured and subtracted; it need only stay below the target error.

@@ -2,8 +2,9 @@
 """check_tidy.py SOURCE BUILD: runs clang-tidy with the checks of .clang-tidy over src, and fails on any finding.
 
 BUILD holds compile_commands.json; where it compiles sources together (ENFILADE_TOGETHER), they are checked together, which
-takes a fraction of the time. A file that passed is not looked at again until it, a header of the project that it
-includes, .clang-tidy or clang-tidy itself changes: BUILD/tidy keeps a mark for each."""
+takes a fraction of the time. A file that passed is not looked at again, in any checkout, until it, a header of the project
+that it includes, how it is compiled, .clang-tidy or clang-tidy itself changes: enfilade-tidy in the user's cache directory
+(XDG_CACHE_HOME, else ~/.cache) keeps a mark for each."""
 import concurrent.futures
 import hashlib
 import json
@@ -47,13 +48,15 @@ def findings(file: Path, mark: Path, build: Path) -> str:
 def main() -> int:
     source, build = (Path(argument).resolve() for argument in sys.argv[1:3])
     src = source / "src"
-    compiled = {Path(entry["file"]).resolve() for entry in json.loads((build / "compile_commands.json").read_text())}
+    compiled = {Path(entry["file"]).resolve(): entry["command"]
+                for entry in json.loads((build / "compile_commands.json").read_text())}
     files = sorted(file for file in compiled if src in file.parents or build / "src" in file.parents)
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
     common = version + (source / ".clang-tidy").read_bytes()
-    marks = build / "tidy"
-    marks.mkdir(exist_ok=True)
-    todo = [(file, marks / mark_of(file, src, common)) for file in files]
+    marks = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "enfilade-tidy"
+    marks.mkdir(parents=True, exist_ok=True)
+    how = {file: common + compiled[file].replace(str(source), "").encode() for file in files}
+    todo = [(file, marks / mark_of(file, src, how[file])) for file in files]
     todo = [(file, mark) for file, mark in todo if not mark.exists()]
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

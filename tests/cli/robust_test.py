@@ -135,6 +135,22 @@ class Files(InRun):
         self.assertEqual(answers(self.scratch / "piped/probes.json"), answers(self.run_directory / "probes.json"))
         self.assert_refused(enfilade("info", fifo, timeout=SOON_S), "nobody writes")
 
+    def test_the_points_of_a_target_error_are_read_once(self):
+        # Where each rank read them, all but the first would find an empty pipe, or another file.
+        fifo = self.scratch / "points"
+        for ranks in (1, 2):
+            fifo.unlink(missing_ok=True)
+            os.mkfifo(fifo)
+            writer = threading.Thread(target=lambda: fifo.write_text('{"probes": [{"p": [2, 1.5, 0], "n": [0, 0, 1]}]}'))
+            writer.start()
+            command = ["mpirun", "--oversubscribe", "-n", ranks, cli_test.ENFILADE, "solve", ROOM, "-o", self.scratch / f"on_{ranks}",
+                       "--no-pictures", "--target-error", "0.2", "--target-error-at", fifo]
+            result = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=60)
+            writer.join()
+            self.assertEqual(result.returncode, 0, result.stderr)
+        of_one, of_two = (answers(self.scratch / f"on_{ranks}/probes.json") for ranks in (1, 2))
+        self.assertAlmostEqual(of_two[0][0] / of_one[0][0], 1.0, delta=0.05)
+
     def test_standard_input_is_read_once(self):
         with ROOM.open() as scene:
             result = subprocess.run([cli_test.ENFILADE, "solve", "/dev/stdin", "-o", self.scratch / "in", "--no-pictures",
@@ -165,6 +181,14 @@ class Files(InRun):
                 self.assertEqual(result.returncode, 1)
                 self.assertIn("standard output: cannot be written", result.stderr)
 
+    def test_a_file_of_the_run_is_no_output(self):
+        for name in ("run.json", "scene.json", "reports.json", "common/manifest.json"):
+            for command in (["probe", self.run_directory, "--points", ROOM], ["locate", self.run_directory, "--points", ROOM],
+                            ["export", self.run_directory]):
+                with self.subTest(name, command=command[0]):
+                    self.assert_refused(enfilade(*command, "-o", self.run_directory / name), name, "the run keeps for itself")
+        self.assertEqual(enfilade("info", self.run_directory).returncode, 0)
+
     def test_memory_that_runs_out_says_how_much_was_wanted(self):
         def info(path, mebibytes):
             limit = mebibytes << 20
@@ -189,6 +213,7 @@ class Names(InScratch):
             for surface, text in zip(scene["surfaces"], (CONTROL, "=1+1", "+1", "@x", "-1", "\t=x")):
                 surface["name"] = text
             scene["surfaces"].append(dict(scene["surfaces"][0]))  # a duplicate, which is warned of by its name
+            scene["rooms"] = [{"name": CONTROL, "storey": CONTROL, "bbox": [[0, 0, 0], [4, 3, 2.7]]}]
             scene["source"] = CONTROL
             scene[CONTROL] = 1
         run = self.scratch / "run"
@@ -197,6 +222,10 @@ class Names(InScratch):
         self.assertIn("same outline", result.stderr)
         self.assert_plain(result.stderr + result.stdout)
         self.assert_plain((run / "report.html").read_text())
+        if (run / "walk.html").exists():  # it needs npm when the program is built
+            walk = (run / "walk.html").read_text()
+            self.assert_plain(walk)
+            self.assertNotRegex(walk, r"\\u00(1b|07|00)")
         with (run / "surfaces.csv").open(newline="") as table:
             rows = list(csv.reader(table))
         for row in rows[1:]:

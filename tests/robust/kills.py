@@ -1,15 +1,18 @@
 #!/usr/bin/python3
 """Kills and stops ranks of a solve of a building, inside iterations and inside commits, and goes on from what is left.
 
-kills.py ENFILADE NTH_CALL_LIBRARY [--kills N] [--seed S] [--scene SCENE] [--target-error E]
+kills.py ENFILADE NTH_CALL_LIBRARY [--kills N] [--seed S] [--scene SCENE] [--target-error E] [--stop-seconds S]
 
 Each trial kills one rank of 1 to 3, once or several times: by turns at a call that writes a cluster's files, at a call
 that writes the manifest, and at a random moment. The library tells at which file a rank died, so that a kill counts
 only where it fell into an iteration or a commit. A trial ends with an undisturbed 'solve --resume', which must give the
-bytes of an undisturbed run. Every fourth trial stops a rank within an iteration instead, which must change nothing, and
-tries a second solve in the same RUN, which must be refused. Exit status 1 where a trial ended otherwise, and where
-fewer than half of the kills or stops fell where they should."""
+light of an undisturbed run: its bytes where the order of sums is fixed (one rank, or ranks that do not steal), and the
+same to nine digits where ranks steal and their number changes. Every fourth trial stops a rank within an iteration
+instead, which must change nothing, and tries a second solve in the same RUN, which must be refused. Exit status 1 where
+a trial ended otherwise, and where fewer than half of the kills or stops fell where they should."""
 import argparse
+import json
+import math
 import os
 import random
 import shutil
@@ -20,37 +23,58 @@ import tempfile
 import time
 from pathlib import Path
 
-from runs import run, solve
+from runs import answers, run, solve
 
-GENERATE = ("--floors", "1", "--seed", "3")
+GENERATE = ("--floors", "1", "--seed", "3", "--furniture", "lamp=16,chair=4", "--probes", "true")
 # Which paths in RUN are written within an iteration, and within a commit.
 PLACES = {"an iteration": "/cluster-", "a commit": "/common/manifest"}
 MOMENT = "a moment"
+# How the runs of a trial solve, by turns: on which numbers of ranks, and by which options. Jacobi's method gives the same
+# light on any number of ranks but for the order of sums; the first two ways fix that as well.
+WAYS = (((1,), ()), ((3,), ("--iteration", "jacobi", "--no-steal")), ((1, 2, 3), ("--iteration", "jacobi")))
 
 
 class Kills:
     def __init__(self, options, scratch):
         self.options, self.scratch = options, scratch
         self.rng = random.Random(options.seed)
-        self.target = ("--target-error", options.target_error)
         self.scene = options.scene or self.building()
         self.directory = scratch / "run"
-        counts = scratch / "counts"
-        whole = scratch / "whole"
-        self.calls = {}
+        self.calls, self.wanted = {}, []
+        for ranks, of_way in WAYS:
+            self.way(ranks, of_way)
+            self.wanted.append(self.undisturbed())
         for place, match in PLACES.items():  # the same run for each, and the last one is timed
-            shutil.rmtree(whole, ignore_errors=True)
+            counts = scratch / "counts"
             counts.unlink(missing_ok=True)
             start = time.monotonic()
-            outcome = solve(options.enfilade, self.scene, whole, *self.target,
-                            env={"LD_PRELOAD": options.preload, "NTH_UNDER": str(whole), "NTH_COUNT": str(counts), "NTH_MATCH": match})
-            assert outcome.status == 0, outcome.error
+            self.undisturbed({"LD_PRELOAD": options.preload, "NTH_UNDER": str(self.directory), "NTH_COUNT": str(counts), "NTH_MATCH": match})
             self.seconds = time.monotonic() - start
-            self.calls[place] = max(map(int, counts.read_text().split()))
-        self.wanted = (whole / "probes.json").read_bytes() if (whole / "probes.json").exists() else b"", (whole / "surfaces.csv").read_bytes()
+            self.calls[place] = sum(map(int, counts.read_text().split()))
+        assert any(map(any, answers(self.directory))), "the scene is dark at its probes: any answer would be the right one"
         self.faults, self.turn = [], 0
         self.tried = dict.fromkeys((*PLACES, MOMENT, "a stop"), 0)
         self.fell = dict.fromkeys(self.tried, 0)
+
+    def way(self, ranks, options):
+        self.ranks, self.same_order = ranks, len(ranks) == 1
+        self.options_of_solve = ("--target-error", self.options.target_error, *options)
+
+    def result(self):
+        return [(self.directory / name).read_bytes() for name in ("probes.json", "surfaces.csv")]
+
+    def undisturbed(self, env=None):
+        shutil.rmtree(self.directory, ignore_errors=True)
+        outcome = solve(self.options.enfilade, self.scene, self.directory, *self.options_of_solve, ranks=max(self.ranks), env=env,
+                        timeout_s=1800)
+        assert outcome.status == 0, outcome.error
+        return self.result()
+
+    def is_wanted(self, wanted):
+        if self.same_order:
+            return self.result() == wanted
+        light = [[e for probe in json.loads(text)["probes"] for e in probe["E"]] for text in (wanted[0], self.result()[0])]
+        return self.result()[1] == wanted[1] and all(math.isclose(a, b, rel_tol=1e-9) for a, b in zip(*light, strict=True))
 
     def building(self):
         scene = self.scratch / "building.json"
@@ -62,7 +86,7 @@ class Kills:
         env = {"LD_PRELOAD": self.options.preload, "NTH_UNDER": str(self.directory), **(env or {})}
         exports = [part for name in env for part in ("-x", name)]
         return subprocess.Popen(["mpirun", "--oversubscribe", "-n", str(ranks), *exports, self.options.enfilade, "solve",
-                                 str(self.scene), "-o", str(self.directory), "--no-pictures", "--quiet", *self.target, *options],
+                                 str(self.scene), "-o", str(self.directory), "--no-pictures", "--quiet", *self.options_of_solve, *options],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=dict(os.environ, **env))
 
     @staticmethod
@@ -131,7 +155,8 @@ class Kills:
         pid = self.stopped_rank(launcher)
         if pid is not None:
             self.fell["a stop"] += 1
-            second = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume")
+            second = solve(self.options.enfilade, self.scene, self.directory, *self.options_of_solve, "--resume")
+            time.sleep(self.options.stop_seconds)
             os.kill(pid, signal.SIGCONT)
             if second.status != 2 or second.fault():
                 self.faults.append(f"a second solve ended with {second.status}: {second.error[-300:]}")
@@ -141,19 +166,18 @@ class Kills:
 
     def one(self, i):
         shutil.rmtree(self.directory, ignore_errors=True)
+        self.way(*WAYS[i % len(WAYS)])
         if i % 4 == 3:
-            self.stop(self.rng.randrange(1, 4))
+            self.stop(self.rng.choice(self.ranks))
         else:
             for again in range(self.rng.randrange(1, 4)):
-                resume = ["--resume"] if again else []
-                self.kill(self.rng.randrange(1, 4), resume)
-        outcome = solve(self.options.enfilade, self.scene, self.directory, *self.target, "--resume", ranks=self.rng.randrange(1, 4))
+                self.kill(self.rng.choice(self.ranks), ["--resume"] if again else [])
+        outcome = solve(self.options.enfilade, self.scene, self.directory, *self.options_of_solve, "--resume",
+                        ranks=self.rng.choice(self.ranks), timeout_s=1800)
         if outcome.status != 0:
-            self.faults.append(f"trial {i}: cannot be resumed: {outcome.error[-300:]}")
-            return
-        probes = self.directory / "probes.json"
-        if (probes.read_bytes() if probes.exists() else b"", (self.directory / "surfaces.csv").read_bytes()) != self.wanted:
-            self.faults.append(f"trial {i}: resumed to another answer")
+            self.faults.append(f"trial {i + 1}: cannot be resumed: {outcome.error[-300:]}")
+        elif not self.is_wanted(self.wanted[i % len(WAYS)]):
+            self.faults.append(f"trial {i + 1}: resumed to another answer")
 
     def judge(self):
         """A program whose kills fall beside what it is for would find no fault in anything."""
@@ -169,13 +193,14 @@ def main():
     parser.add_argument("--kills", type=int, default=60, help="trials")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--target-error", default="0.1")
-    parser.add_argument("--scene", help="default: a building of one storey")
+    parser.add_argument("--scene", help="with probes; default: a building of one storey")
+    parser.add_argument("--stop-seconds", type=float, default=0, help="how long a stopped rank stands still")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="enfilade-kills-") as scratch:
         kills = Kills(options, Path(scratch))
         for i in range(options.kills):
             kills.one(i)
-            print(f"trial {i + 1} of {options.kills}, {len(kills.faults)} faults", flush=True)
+            print(f"trial {i + 1} of {options.kills}, {len(kills.faults)} faults", *kills.faults[-1:], flush=True)
     kills.judge()
     print(f"{options.kills} trials of a solve of {kills.seconds:.1f} s: "
           + ", ".join(f"{kills.fell[place]} of {tried} in {place}" for place, tried in kills.tried.items()) + f"; {len(kills.faults)} faults")

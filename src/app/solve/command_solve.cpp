@@ -17,6 +17,7 @@
 #include "app/solve/solve_options.hpp"
 #include "app/solve/solve_summary.hpp"
 #include "base/atomic_file.hpp"
+#include "base/byte_stream.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
 #include "import/import_model.hpp"
@@ -25,6 +26,7 @@
 #include "run/prepare.hpp"
 #include "run/run_mark.hpp"
 #include "run/stats_json.hpp"
+#include "scene_file/scene_io.hpp"
 #include "schemes/protocol/prepare_on_root.hpp"
 #include "schemes/protocol/rank_profiles.hpp"
 #include "schemes/replay/replay.hpp"
@@ -35,14 +37,33 @@ namespace enfilade {
 
 namespace {
 
+/// Returns rank 0's points on every rank. All ranks call it.
+std::vector<Probe> points_of_root(const std::vector<Probe>& points, Communicator& communicator) {
+  std::vector<Vec3> places;
+  for (const Probe& point : points) places.insert(places.end(), {point.p, point.n});
+  ByteWriter own;
+  own.put_all(places);
+  const std::string bytes = communicator.broadcast(own.text());
+  places = ByteReader(std::string_view(bytes), "points").get_all<Vec3>();
+  std::vector<Probe> received;
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+    received.push_back({places[i], places[i + 1]});
+  return received;
+}
+
 /// Checks the options on the root first, so that a fault is printed once and all ranks end in
 /// order.
 SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
+  std::vector<Probe> points;
   session.communicator().on_root([&] {
     options.config();
     make_machine(options.cost_model);
+    if (!options.target_error_at.empty()) points = read_probes(options.target_error_at).probes;
   });
-  return options.config();
+  SolveConfig config = options.config();
+  if (!options.target_error_at.empty())
+    config.gather.target_points = points_of_root(points, session.communicator());
+  return config;
 }
 
 /// All ranks call it; rank 0 writes.

@@ -238,7 +238,6 @@ SolveConfig SolveOptions::config() const {
   config.epsilon = epsilon;
   config.tolerance = tolerance;
   config.patch_links = patch_links;
-  if (!target_error_at.empty()) config.gather.target_points = read_probes(target_error_at).probes;
   if (!memory.empty()) config.memory_bytes = parse_bytes(memory, "command line", "--memory");
   config.memory_manager = enfilade::memory_manager(memory_manager);
   config.seed = seed;

@@ -40,6 +40,7 @@ struct SolveOptions {
   bool basis_is_given() const;
   bool target_is_given() const { return gave("--target-error"); }
   /// Throws InputError for values that are none or that do not go together.
+  /// The points of `target_error_at` are left out: one rank reads their file for all.
   SolveConfig config() const;
 
  private:

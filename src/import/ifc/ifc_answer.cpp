@@ -98,11 +98,8 @@ class AnswerReader {
                                          box_of(portal.at("box")), portal.at("transmittance")});
     }
     for (const Json& lamp : model.at("luminaires")) add_luminaire(lamp);
-    if (!scene_.surfaces.empty()) return std::move(scene_);
-    fail(warnings_.empty()
-             ? "holds no shapes"
-             : "holds no shape that can be imported (" + warnings_.summary(1)[0] + ")",
-         "export the model with its geometry");
+    check_shapes(scene_, warnings_);
+    return std::move(scene_);
   }
 
   [[noreturn]] void fail(const std::string& what, const std::string& hint) const {

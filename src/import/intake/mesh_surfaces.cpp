@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/limits.hpp"
 #include "json/json_text.hpp"
 #include "scene/convex_parts.hpp"
 
@@ -74,9 +75,9 @@ void MeshSurfaces::add(const ModelMesh& mesh, const ModelMaterial& material) {
   }
   Box box;
   for (const Vec3& p : mesh.points) {
-    if (!std::isfinite(p.x + p.y + p.z)) {
-      throw InputError(scene_.file, "mesh " + in_quotes(mesh.name),
-                       "has a point that is not finite", "correct it and export the model again");
+    if (const auto fault = limits::fault_of_place(p)) {
+      throw InputError(scene_.file, mesh.name.empty() ? "mesh" : "mesh " + in_quotes(mesh.name),
+                       "has a point that " + fault.what, fault.hint);
     }
     box.add(p);
   }
@@ -102,6 +103,15 @@ void MeshSurfaces::add(const ModelMesh& mesh, const ModelMaterial& material) {
   const double flat = 1e-5 * box.diagonal();
   for (const IndexLoop& loop : merge_convex(mesh.points, std::move(joinable), flat, 1e-4))
     add_surface(corners_of(loop, mesh.points), mesh, material);
+}
+
+void check_shapes(const Scene& scene, const Warnings& warnings) {
+  if (!scene.surfaces.empty()) return;
+  throw InputError(scene.file, "file",
+                   warnings.empty()
+                       ? "holds no shapes"
+                       : "holds no shape that can be imported (" + warnings.summary(1)[0] + ")",
+                   "export the model with its geometry");
 }
 
 }  // namespace enfilade

@@ -41,7 +41,7 @@ class MeshSurfaces {
   MeshSurfaces(Scene& scene, Warnings& warnings) : scene_(scene), warnings_(warnings) {}
 
   /// Joins neighbouring triangles to convex polygons. Faces that cross themselves are left out with
-  /// a warning; faces of no area without one. Throws InputError where points are not finite, and
+  /// a warning; faces of no area without one. Throws InputError where points lie too far out, and
   /// where there are too many surfaces.
   void add(const ModelMesh& mesh, const ModelMaterial& material);
   /// Throws InputError unless `more` further surfaces are fine.
@@ -53,5 +53,8 @@ class MeshSurfaces {
   Scene& scene_;
   Warnings& warnings_;
 };
+
+/// Throws InputError where nothing of a model came, with the first of the warnings.
+void check_shapes(const Scene& scene, const Warnings& warnings);
 
 }  // namespace enfilade

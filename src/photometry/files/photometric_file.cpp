@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/limits.hpp"
 #include "photometry/files/eulumdat_reader.hpp"
 #include "photometry/files/ies_reader.hpp"
 
@@ -46,7 +47,11 @@ PhotometricFile read_photometric_file(const std::string& bytes, const std::strin
   const bool ies = looks_like_ies(lines), by_ending = ending_of(path) == ".ies";
   if (ies && !by_ending && ending_of(path) == ".ldt")
     report.warn("is an IES file (LM-63) by its text: read so");
-  return ies || by_ending ? read_ies(lines, beside, report) : read_eulumdat(lines, report);
+  PhotometricFile file =
+      ies || by_ending ? read_ies(lines, beside, report) : read_eulumdat(lines, report);
+  if (const auto fault = limits::fault_of_opening(file.opening.size))
+    report.fail("the luminous opening", fault.what, "correct the file, or get it again");
+  return file;
 }
 
 }  // namespace enfilade

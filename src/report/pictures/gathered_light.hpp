@@ -22,8 +22,9 @@ struct GatherQuality {
 };
 
 /// The light at a place for pictures: less exact than PointGather, and a hundred times as fast.
-/// Bright emitters count by their mean radiosity, closed-form factor, and six shadow rays; what
-/// rays meet has the light of its patch.
+/// Bright emitters count by their mean radiosity; a large one by its closed-form factor and six
+/// shadow rays, the small ones together by six shadow rays, each to one of them that is picked by
+/// its light if nothing hid it. What rays meet has the light of its patch.
 class QuickGather {
  public:
   QuickGather(const SolvedScene& solved, int rays);
@@ -37,20 +38,14 @@ class QuickGather {
                      std::span<double> e) const;
 
  private:
-  struct Emitter {
-    std::uint32_t polygon;
-    Polygon corners;
-    const PatchForest* forest;
-    std::uint32_t k;
-  };
   void add_sky(const LitPlace& place, Random& random, std::span<double> e) const;
-  void add_emitter(const Emitter& emitter, const LitPlace& place, double factor, int rays,
-                   Random& random, std::span<double> e) const;
+  void add_emitter(const EmitterSampler::Emitter& emitter, const LitPlace& place, double weight,
+                   int rays, Random& random, std::span<double> e) const;
+  void add_bright(const LitPlace& place, Random& random, std::span<double> e) const;
 
   const SolvedScene& solved_;
   int rays_;
   EmitterSampler sampler_;
-  std::vector<Emitter> emitters_;
 };
 
 /// Gathered before the picture is painted; then light at any place that the picture shows.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
@@ -8,49 +9,58 @@
 namespace enfilade {
 namespace {
 
-/// Emitters that may give a smaller share of a place's direct light get one shadow ray.
+/// Of a place's light from bright emitters if nothing hid them: one that gives less is small.
 constexpr double large_share = 0.05;
+/// To each large emitter, and to all small ones together.
 constexpr int shadow_rays = 6;
 /// Rays to a dome of the sky, in as many strata, for each ray over the hemisphere: a window shows
 /// only a part of the sky.
 constexpr int sky_rays_per_ray = 4;
 
-/// The mean radiosity per band of a polygon.
-double mean_radiosity(const PatchForest& forest, std::uint32_t k, std::size_t band) {
-  return forest.radiosity(k)[band * static_cast<std::size_t>(forest.terms())];
-}
-
 }  // namespace
 
 QuickGather::QuickGather(const SolvedScene& solved, int rays)
-    : solved_(solved), rays_(rays), sampler_(solved.states, solved.occluders) {
-  for (const Cluster& cluster : solved.clusters) {
-    for (std::uint32_t k = 0; k < cluster.polygons.size(); ++k) {
-      const std::uint32_t polygon = solved.occluders.global(cluster.id, k);
-      if (!sampler_.contains(polygon)) continue;
-      emitters_.push_back(
-          {polygon, cluster.polygons[k].polygon, &solved.states[cluster.id.index()].patches(), k});
-    }
-  }
-}
+    : solved_(solved), rays_(rays), sampler_(solved.states, solved.occluders) {}
 
-/// Adds its light times `factor`, where it is seen: by one ray to each quarter of the emitter in
+/// Adds `weight` times its light, where it is seen: by one ray to each quarter of the emitter in
 /// turn.
-void QuickGather::add_emitter(const Emitter& emitter, const LitPlace& place, double factor,
-                              int rays, Random& random, std::span<double> e) const {
-  const PolygonFrame& frame = emitter.forest->frames()[emitter.k];
-  const PatchShape& shape = emitter.forest->node(emitter.k).shape;
+void QuickGather::add_emitter(const EmitterSampler::Emitter& emitter, const LitPlace& place,
+                              double weight, int rays, Random& random, std::span<double> e) const {
+  const double factor = weight * point_to_polygon(place.x, place.n, emitter.corners) / rays;
+  if (factor <= 0.0) return;
   const auto start = random.below(4);
   for (int i = 0; i < rays; ++i) {
     const double r1 = random.uniform(), r2 = random.uniform();
     const int quarter = static_cast<int>((start + static_cast<std::uint64_t>(i)) % 4);
-    const Vec3 y = frame.at(shape.point_in_quarter(quarter, r1, r2));
+    const Vec3 y = emitter.frame().at(emitter.shape().point_in_quarter(quarter, r1, r2));
     const Passage passage =
         solved_.occluders.passage(place.x, y, place.own, emitter.polygon, place.start);
     if (passage.share <= 0.0) continue;
     for (std::size_t band = 0; band < e.size(); ++band)
-      e[band] +=
-          factor / rays * passage.band(band) * mean_radiosity(*emitter.forest, emitter.k, band);
+      e[band] += factor * passage.band(band) * emitter.radiosity(band);
+  }
+}
+
+void QuickGather::add_bright(const LitPlace& place, Random& random, std::span<double> e) const {
+  const std::span<const EmitterSampler::Emitter> bright = sampler_.bright();
+  const std::vector<double> light = sampler_.bright_unoccluded(place.x, place.n, place.own);
+  const double large = large_share * std::accumulate(light.begin(), light.end(), 0.0);
+  double of_small = 0.0;
+  for (std::size_t i = 0; i < bright.size(); ++i) {
+    if (light[i] > large) {
+      add_emitter(bright[i], place, 1.0, shadow_rays, random, e);
+    } else {
+      of_small += light[i];
+    }
+  }
+  // Systematic sampling: picks at even distances along the small ones' light.
+  const double step = of_small / shadow_rays;
+  double next = random.uniform() * step, passed = 0.0;
+  for (std::size_t i = 0; i < bright.size() && of_small > 0.0; ++i) {
+    if (light[i] > large) continue;
+    passed += light[i];
+    for (; next < passed; next += step)
+      add_emitter(bright[i], place, step / light[i], 1, random, e);
   }
 }
 
@@ -58,20 +68,7 @@ void QuickGather::add_direct(const Vec3& p, const Vec3& n, std::uint32_t own, Ra
                              std::span<double> e) const {
   const Vec3 from = p + 2.0 * solved_.occluders.rays().epsilon_m() * n;
   const LitPlace place{from, n, own, RayStart::in_air};
-  std::vector<std::pair<double, const Emitter*>> in_view;
-  double total = 0.0;
-  for (const Emitter& emitter : emitters_) {
-    if (emitter.polygon == own) continue;
-    const double factor = point_to_polygon(from, n, emitter.corners);
-    if (factor <= 0.0) continue;
-    in_view.emplace_back(factor, &emitter);
-    total += factor * mean_radiosity(*emitter.forest, emitter.k, 0);
-  }
-  for (const auto& [factor, emitter] : in_view) {
-    const bool large =
-        factor * mean_radiosity(*emitter->forest, emitter->k, 0) > large_share * total;
-    add_emitter(*emitter, place, factor, large ? shadow_rays : 1, random, e);
-  }
+  add_bright(place, random, e);
   for (const LightSource& light : solved_.scene.lights) {
     if (light.sky) continue;
     const int rays = light.opening.empty() ? 1 : shadow_rays;

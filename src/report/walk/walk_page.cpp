@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/safe_text.hpp"
 #include "report/drawing/charts.hpp"
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/one_value.hpp"
@@ -162,8 +163,16 @@ Json model_json(const WalkSubject& subject, const WalkArrays& arrays, const Ligh
   return json;
 }
 
+/// Makes each text of it one that does nothing to whoever shows it.
+void make_safe(Json& json) {
+  if (json.is_string()) json = file_text(json.get_ref<const std::string&>());
+  if (!json.is_structured()) return;
+  for (Json& part : json) make_safe(part);
+}
+
 /// JSON in which nothing ends the element of the page that holds it.
-std::string in_page(const Json& json) {
+std::string in_page(Json json) {
+  make_safe(json);
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<')

@@ -15,6 +15,13 @@ TEST(Limits, OfPlaces) {
     EXPECT_TRUE(fault_of_place({0, far, 0})) << far;
 }
 
+TEST(Limits, OfOpenings) {
+  for (const Vec3& fine : {Vec3(0.0), Vec3(1e-6, 1e4, 0), Vec3(0.6, 0.3, 0.1)})
+    EXPECT_FALSE(fault_of_opening(fine)) << fine.x;
+  for (const double x : {1e-7, 1e-300, 1.1e4, 1e300, -1.0, infinite, std::nan("")})
+    EXPECT_TRUE(fault_of_opening({0.6, x, 0})) << x;
+}
+
 TEST(Limits, OfLight) {
   for (const double light : {0.0, 1e-30, 1.0, 1e30}) EXPECT_FALSE(fault_of_light(light)) << light;
   for (const double light : {-1.0, 1e-31, 1e31, infinite, std::nan("")})

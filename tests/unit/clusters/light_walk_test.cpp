@@ -22,6 +22,7 @@ struct LampAndBoard {
       surface.reflectance = {0.0};
       surface.exitance = {exitance};
       CellPiece piece;
+      piece.cell = CellId(0u);
       piece.piece.surface = SurfaceId(scene.surfaces.size());
       piece.piece.polygon = polygon;
       scene.surfaces.push_back(surface);
@@ -35,7 +36,7 @@ struct LampAndBoard {
 
 TEST(LightWalk, FindsLightAsOftenAsItIsThere) {
   const LampAndBoard with;
-  const LightWalk walk(with.scene, with.pieces, 1e-6, 1);
+  LightWalk walk(with.scene, with.pieces, 1e-6, 1);
   const Vec3 up(0, 0, 1);
   Random random(1);
   const std::vector<double> places{-0.2, 0.05, 0.1, 0.3, 0.59, 0.7};
@@ -47,7 +48,7 @@ TEST(LightWalk, FindsLightAsOftenAsItIsThere) {
     const double factor = open > 0.0 ? point_to_polygon(p, up, seen) : 0.0;
     const double want = open + (1.0 - open) * factor;
     testing::Samples found;
-    for (int i = 0; i < 20000; ++i) found.add(walk.finds_light(p, up, 1, random) ? 1.0 : 0.0);
+    for (int i = 0; i < 20000; ++i) found.add(walk.finds_light(0, p, up, 1, random) ? 1.0 : 0.0);
     EXPECT_TRUE(testing::has_mean(found, want, static_cast<int>(places.size()), 1e-5)) << x;
   }
 }

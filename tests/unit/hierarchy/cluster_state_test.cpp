@@ -29,6 +29,20 @@ TEST(ClusterState, SurvivesItsFile) {
   }
 }
 
+TEST(ClusterState, KeepsTheLightOfAnEarlierIterationUntilAPatchIsMade) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::linear);
+  state.patches().irradiance(0)[0] = 0.75;
+  state.patches().keep_light();
+  ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches), {});
+  const std::vector<float> kept = copy.patches().take_kept_light();
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_EQ(kept[0], 0.75f);
+  EXPECT_TRUE(copy.patches().take_kept_light().empty());
+  state.patches().subdivide(0);
+  EXPECT_TRUE(state.patches().take_kept_light().empty());
+}
+
 /// A replay counts the memory that was recorded for a cluster that had been read.
 TEST(ClusterState, TakesAsMuchMemoryWhenItIsRead) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});

@@ -100,6 +100,16 @@ TEST(ImportModel, WhatCannotBeImportedIsAClearError) {
   EXPECT_THAT(fault("a.gltf", "{}"), HasSubstr("a.gltf: "));
   EXPECT_THAT(fault("a.obj", ""), HasSubstr("is empty"));
   EXPECT_THAT(fault("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), HasSubstr("a.obj: "));
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\n";
+  EXPECT_THAT(fault("a.obj", corners + "f 1 1 1\n"), HasSubstr("holds no shape"));
+  for (const double scale : {1e12, 1e100, 1e160, 1e300}) {
+    ImportOptions options;
+    options.scale = scale;
+    const std::string model = folder.write("far.obj", corners + "f 1 2 3 4\n");
+    EXPECT_THAT(input_error([&] { import_model({model}, options, warnings); }),
+                HasSubstr("lies beyond 1e9 m"))
+        << scale;
+  }
   EXPECT_THAT(input_error([&] { import_model(folder.file("none.obj"), warnings); }),
               HasSubstr("does not exist"));
 }
@@ -121,7 +131,7 @@ TEST(ImportModel, WhatASceneCannotHoldIsRefused) {
   Warnings warnings;
   const std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 2e9\nusemtl l\nf 1 2 3\n";
   EXPECT_THAT(input_error([&] { import_model(folder.write("far.obj", face), warnings); }),
-              HasSubstr("a vertex lies beyond 1e9 m"));
+              HasSubstr("has a point that lies beyond 1e9 m"));
   folder.write("l.mtl", "newmtl l\nKd 0 0 0\nKe 1e31 0 0\n");
   EXPECT_THAT(input_error([&] {
                 import_model(

@@ -34,7 +34,8 @@ TEST(JsonText, BracketsInTextAreNotDeep) {
 }
 
 TEST(JsonText, NoWordOfTheLibraryReachesTheUser) {
-  for (const char* text : {"{", "[1e999", "{\"a\" 1}", "nul", "\x80", "[1,]", "\"\\uD800\""})
+  for (const char* text :
+       {"{", "[1e999", "{\"a\" 1}", "nul", "\x80", "[1,]", "[NaN,1e3081-0]", "\"\\uD800\""})
     EXPECT_THAT(fault_of(text), testing::AllOf(testing::StartsWith("file: line 1:"),
                                                testing::Not(testing::HasSubstr("json.exception"))))
         << text;

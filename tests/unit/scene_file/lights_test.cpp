@@ -149,8 +149,10 @@ TEST_F(SceneLights, FaultsAreToldByKey) {
   EXPECT_THAT(
       fault(R"("luminaires": [{"flux": 1, "p": [0, 0, 0], "aim": [0, 0, 1], "up": [0, 0, 1]}])"),
       HasSubstr("parallel to the aim"));
-  EXPECT_THAT(fault(R"("luminaires": [{"flux": 1, "p": [0, 0, 0], "size": [1, -1]}])"),
-              HasSubstr("out of range"));
+  for (const std::string size : {"[1, -1]", "[1e-300, 1e-300]", "[1, 1e-9]", "[1, 1, 1e5]"}) {
+    EXPECT_THAT(fault(R"("luminaires": [{"flux": 1, "p": [0, 0, 0], "size": )" + size + "}]"),
+                HasSubstr("out of range"));
+  }
   EXPECT_THAT(fault(R"("luminaires": [{"flux": 1}])"), HasSubstr("has no \"p\""));
   EXPECT_THAT(fault(R"("lights": [{"type": "sun", "p": [0, 0, 0], "intensity": 1}])"),
               HasSubstr("luminaires"));

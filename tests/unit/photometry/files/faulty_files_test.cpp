@@ -148,6 +148,17 @@ TEST(FaultyEulumdat, IsReadWithAWarningOrRefused) {
   EXPECT_THAT(refusal_of("one\ntwo\n", "a.ldt"), HasSubstr("no EULUMDAT"));
 }
 
+TEST(FaultyOpenings, AreRefused) {
+  for (const double millimetres : {1e-300, 1e-4, 1e9, 1e300}) {
+    LdtParts p;
+    p.width = millimetres;
+    EXPECT_THAT(refusal_of(p.text(), "a.ldt"), HasSubstr("has a length out of range")) << p.width;
+  }
+  IesParts p;
+  p.width = p.length = 1e-300;
+  EXPECT_THAT(refusal_of(p.text(), "a.ies"), HasSubstr("has a length out of range"));
+}
+
 TEST(IesTilt, IsReadFromTheFileBesideIt) {
   IesParts p;
   p.tilt = "TILT=lamp.tlt\r\n";

@@ -1,0 +1,42 @@
+#include "gather/extrapolate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/gather/box_room.hpp"
+
+namespace enfilade {
+namespace {
+
+/// A floor in two halves of 3 m2 each, lit by 1 and 2.
+ClusterState two_halves() {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {0.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
+  const std::size_t first = state.patches().subdivide(0);
+  state.patches().irradiance(first)[0] = 1.0;
+  state.patches().irradiance(first + 1)[0] = 2.0;
+  state.patches().pull();
+  return state;
+}
+
+TEST(Extrapolate, ChangesHowTheLightLiesAndNotItsPower) {
+  ClusterState state = two_halves();
+  EXPECT_NEAR(arriving_power(state)[0], 9.0, 1e-12);
+  // Earlier there was a third as much light, evenly spread: scaled to 1.5 on each half.
+  extrapolate(state, std::vector<float>{0.5f, 0.5f}, 1.25);
+  EXPECT_NEAR(state.patches().irradiance(1)[0], 1.5 - 1.25 * 0.5, 1e-7);
+  EXPECT_NEAR(state.patches().irradiance(2)[0], 1.5 + 1.25 * 0.5, 1e-7);
+  EXPECT_NEAR(arriving_power(state)[0], 9.0, 1e-6);
+  EXPECT_NEAR(state.patches().radiosity(0)[0], 0.75, 1e-7);
+}
+
+TEST(Extrapolate, NoLightBecomesNegativeAndWithoutEarlierLightNothingChanges) {
+  ClusterState state = two_halves();
+  extrapolate(state, {}, 1.25);
+  EXPECT_EQ(state.patches().irradiance(1)[0], 1.0);
+  extrapolate(state, std::vector<float>{2.0f, 0.0f}, 1.9);
+  EXPECT_EQ(state.patches().irradiance(1)[0], 1.0);  // 3 - 1.9 * 2 would be below zero
+  EXPECT_NEAR(state.patches().irradiance(2)[0], 3.8, 1e-7);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,54 @@
+#include "solver/extrapolation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace enfilade {
+namespace {
+
+IterationSummary iteration(double change, double extrapolation) {
+  IterationSummary s;
+  s.corrected = true;
+  s.plan.extrapolation = extrapolation;
+  s.figures.change_power = change;
+  s.figures.arriving_power = {100.0};
+  s.figures.returning_power = {50.0};
+  return s;
+}
+
+IterationPlan plan_that(bool refines) {
+  IterationPlan plan;
+  plan.refine = refines;
+  return plan;
+}
+const IterationPlan resting = plan_that(false);
+
+TEST(Extrapolation, WaitsForLinksToRestAndForTheCoarseCorrection) {
+  std::vector<IterationSummary> history{iteration(1.0, 0.0)};
+  EXPECT_EQ(extrapolation_of(plan_that(true), history), 0.0);
+  EXPECT_EQ(extrapolation_of(resting, history), 1.0);  // keeps the light
+  history.push_back(iteration(0.5, 1.0));
+  EXPECT_GT(extrapolation_of(resting, history), 1.0);
+  history.back().corrected = false;
+  EXPECT_EQ(extrapolation_of(resting, history), 0.0);
+}
+
+TEST(Extrapolation, FindsTheContractionThatTheChangesShow) {
+  // An error that an iteration multiplies by 0.8, without and with extrapolation by 1.1: the larger
+  // root of z^2 - 1.1 * 0.8 z + 0.1 = 0.
+  const double root = 0.44 + std::sqrt(0.44 * 0.44 - 0.1), best = 2.0 / (1.0 + 0.6);
+  const std::vector<IterationSummary> plain{iteration(1.0, 1.0), iteration(0.8, 1.0),
+                                            iteration(0.64, 1.0)};
+  EXPECT_NEAR(extrapolation_of(resting, plain), best, 1e-9);
+  const std::vector<IterationSummary> extrapolated{iteration(1.0, 1.1), iteration(root, 1.1),
+                                                   iteration(root * root, 1.1)};
+  EXPECT_NEAR(extrapolation_of(resting, extrapolated), best, 1e-9);
+  // Another flux correction moves the light as well.
+  std::vector<IterationSummary> moved = plain;
+  moved.back().plan.flux_correction = {0.1};
+  EXPECT_LT(extrapolation_of(resting, moved), 1.1);
+}
+
+}  // namespace
+}  // namespace enfilade
