@@ -307,7 +307,7 @@ class Tables(InScratch):
                              ("1,2,3\n4,5,nan\n", "line 2, column 3", "nan"), ("a,b,c\n1,2,3\n", "line 1", '"x"'),
                              ("x,y,z,nx\n1,2,3,4\n", "line 1", "nz"), ("", "is empty"), ("x,y,z\n", "line 2"),
                              ("1,2,3\n4,5,1e12\n", "line 2, column 1"), ("x,y,z,nx,ny,nz\n1,1,1,0,0,0\n", "line 2, column 4"),
-                             ('"1,2,3\n', "line 1", "quote"), ("1;2;3\n", "line 1")):
+                             ('"1,2,3\n', "line 1", "quote"), ("1 2 3\n", "line 1"), ("1;2;3;4,5\n1;2;x;4\n", "line 2, column 3")):
             points = self.write("bad.csv", text)
             result = enfilade("probe", self.run_directory, "--points", points, "-o", self.scratch / "out.csv")
             self.assert_refused(result, "bad.csv", *words)

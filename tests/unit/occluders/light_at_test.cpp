@@ -252,5 +252,22 @@ TEST(LightAt, FindsStripsThatNoPointOfTheOpeningMeets) {
   }
 }
 
+TEST(LightAt, KnowsItsErrorBehindAFineMesh) {
+  // Wires of 0.3 mm every 1.2 mm both ways: more before each part of the opening than are cut out.
+  std::vector<Polygon> wires = strips(1600, 0.0012, 0.0003, 1.0);
+  for (Polygon wire : strips(1600, 0.0012, 0.0003, 1.0)) {
+    for (Vec3& v : wire) std::swap(v.x, v.y);
+    wires.push_back(wire);
+  }
+  const Space open, space(wires);
+  const LightSource light =
+      luminaire({0, 0, 2.0}, cosine_power(1.0, 0.5), {OpeningShape::rectangle, {1.0, 1.0, 0.0}});
+  const Vec3 x(0.1, 0.03, 0.0), n(0, 0, 1);
+  const double expected = 0.75 * 0.75 * light_at(light, {x, n}, open.occluders).irradiance;
+  const LightAtPoint found = light_at(light, {x, n}, space.occluders);
+  EXPECT_GT(found.error, 0.005 * expected);
+  EXPECT_NEAR(found.irradiance, expected, 3.0 * found.error);
+}
+
 }  // namespace
 }  // namespace enfilade
