@@ -1,7 +1,12 @@
 #include "gather/extrapolate.hpp"
 
+#include <cmath>
+
 namespace enfilade {
 namespace {
+
+/// A leaf whose light has changed by more than this share of itself is not near its rest.
+constexpr double most_change = 0.1;
 
 /// Calls take(node, number) for each leaf, with its number among the leaves.
 template <class Take>
@@ -57,12 +62,11 @@ void extrapolate(ClusterState& receiver, std::span<const float> earlier, double 
       if (!(power > 0.0 && power_then > 0.0)) continue;
       double* const e = patches.irradiance(n).data() + b * terms;
       const float* const before = earlier.data() + (number * bands + b) * terms;
-      const auto farther = [&](std::size_t t) {
-        const double from = power / power_then * static_cast<double>(before[t]);
-        return from + extrapolation * (e[t] - from);
+      const auto scaled = [&](std::size_t t) {
+        return power / power_then * static_cast<double>(before[t]);
       };
-      if (farther(0) <= 0.0) continue;
-      for (std::size_t t = 0; t < terms; ++t) e[t] = farther(t);
+      if (std::abs(e[0] - scaled(0)) > most_change * std::abs(e[0])) continue;
+      for (std::size_t t = 0; t < terms; ++t) e[t] = scaled(t) + extrapolation * (e[t] - scaled(t));
     }
   });
   patches.pull();

@@ -17,7 +17,7 @@ std::vector<double> arriving_power(const ClusterState& receiver);
 /// to the power that each aggregate has now. With an extrapolation of 2 / (1 + sqrt(1 - s^2)) all
 /// errors that an iteration multiplies by at most s are multiplied by s / (1 + sqrt(1 - s^2))
 /// (second-order Richardson or Chebyshev semi-iteration; Golub and Varga 1961). The aggregates'
-/// powers hardly change; leaves that would become dark or negative stay as they are.
+/// powers hardly change; leaves whose light has changed by more than a tenth stay as they are.
 void extrapolate(ClusterState& receiver, std::span<const float> earlier, double extrapolation);
 
 }  // namespace enfilade

@@ -205,7 +205,8 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
     const double received = std::max(worst_band(config.emitted_power),
                                      last.figures.received_power + last.missing_power);
     const double wanted = first_epsilon(config) * received;
-    plan.link_tolerance = seen.light_is_everywhere ? std::max(plan.link_tolerance, wanted) : wanted;
+    const bool outgrown = wanted > config.weights.outgrown * plan.link_tolerance;
+    if (outgrown || !seen.light_is_everywhere) plan.link_tolerance = wanted;
   }
   switch (next_state(history, seen, config)) {
     case State::distribute:

@@ -65,6 +65,9 @@ struct PlanWeights {
   /// The same is so many times coarser where errors count at points alone: importance makes links
   /// finer by itself where they matter.
   double first_at_points = 4.0;
+  /// Once light is everywhere, the first tolerance is kept until the light has grown by more than
+  /// this, as it does where nearly all is reflected.
+  double outgrown = 2.0;
   /// Share of the target error that is left to the iterations; also the floor of the flux
   /// correction.
   double iteration_share = 0.02;
