@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/error.hpp"
 #include "geometry/sampling.hpp"
 
 namespace enfilade {
@@ -39,6 +40,7 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
                                    [](double e) { return e > 0.0; });
     if (emits) emitters_.push_back(static_cast<std::uint32_t>(faces_.size()));
     faces_.push_back({normal(piece.piece.polygon), emits});
+    ENFILADE_CHECK(piece.cell.valid(), std::to_string(faces_.size()));
     last_found_.resize(std::max(last_found_.size(), piece.cell.index() + 1), none);
   }
 }

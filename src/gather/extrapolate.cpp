@@ -41,7 +41,7 @@ std::vector<double> arriving_power(const ClusterState& receiver) {
   });
 }
 
-void extrapolate(ClusterState& receiver, std::span<const float> earlier, double extrapolation) {
+void extrapolate(ClusterState& receiver, std::span<const double> earlier, double extrapolation) {
   if (earlier.empty()) return;
   PatchForest& patches = receiver.patches();
   const auto bands = static_cast<std::size_t>(patches.bands()),
@@ -49,7 +49,7 @@ void extrapolate(ClusterState& receiver, std::span<const float> earlier, double 
   const std::vector<double> now = arriving_power(receiver);
   const std::vector<double> then =
       power_of(receiver, [&](std::size_t, std::size_t number, std::size_t b) {
-        return static_cast<double>(earlier[(number * bands + b) * terms]);
+        return earlier[(number * bands + b) * terms];
       });
   for_each_leaf(patches, [&](std::size_t n, std::size_t number) {
     const Aggregates::Range range = receiver.aggregates().of(patches, patches.node(n).id);
@@ -61,11 +61,9 @@ void extrapolate(ClusterState& receiver, std::span<const float> earlier, double 
       }
       if (!(power > 0.0 && power_then > 0.0)) continue;
       double* const e = patches.irradiance(n).data() + b * terms;
-      const float* const before = earlier.data() + (number * bands + b) * terms;
-      const auto scaled = [&](std::size_t t) {
-        return power / power_then * static_cast<double>(before[t]);
-      };
-      if (std::abs(e[0] - scaled(0)) > most_change * std::abs(e[0])) continue;
+      const double* const before = earlier.data() + (number * bands + b) * terms;
+      const auto scaled = [&](std::size_t t) { return power / power_then * before[t]; };
+      if (!(std::abs(e[0] - scaled(0)) <= most_change * std::abs(e[0]))) continue;
       for (std::size_t t = 0; t < terms; ++t) e[t] = scaled(t) + extrapolation * (e[t] - scaled(t));
     }
   });

@@ -18,6 +18,6 @@ std::vector<double> arriving_power(const ClusterState& receiver);
 /// errors that an iteration multiplies by at most s are multiplied by s / (1 + sqrt(1 - s^2))
 /// (second-order Richardson or Chebyshev semi-iteration; Golub and Varga 1961). The aggregates'
 /// powers hardly change; leaves whose light has changed by more than a tenth stay as they are.
-void extrapolate(ClusterState& receiver, std::span<const float> earlier, double extrapolation);
+void extrapolate(ClusterState& receiver, std::span<const double> earlier, double extrapolation);
 
 }  // namespace enfilade

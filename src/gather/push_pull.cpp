@@ -86,7 +86,7 @@ void push_pull(ClusterState& receiver, std::span<const double> gathered, const G
     figures.work.links_gathered *=
         static_cast<std::uint64_t>(patches.bands() / patches.lead_bands());
   } else {
-    const std::vector<float> earlier = patches.take_kept_light();
+    const std::vector<double> earlier = patches.take_kept_light();
     if (config.extrapolation >= 1.0) patches.keep_light();
     patches.push_pull(gathered);
     if (config.extrapolation > 1.0) extrapolate(receiver, earlier, config.extrapolation);

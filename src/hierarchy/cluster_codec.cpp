@@ -181,7 +181,7 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
   f.radiosity_ = r.get_all<double>();
   f.irradiance_ = r.get_all<double>();
   f.deviation_ = r.get_all<double>();
-  f.kept_ = r.get_all<float>();
+  f.kept_ = r.get_all<double>();
   f.enclosed_share_ = r.get_all<float>();
   f.lit_when_measured_ = r.get<std::uint32_t>();
   f.unreachable_ = r.get_all<std::uint8_t>();
@@ -224,7 +224,7 @@ LinkSet ClusterCodec::read_links(ByteReader& r, std::size_t stride) {
 std::size_t ClusterCodec::patches_bytes(const PatchForest& f) {
   return f.frames_.size() +
          f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1)) +
-         f.kept_.size() * sizeof(float);
+         f.kept_.size() * sizeof(double);
 }
 
 std::size_t ClusterCodec::links_bytes(const LinkSet& l) {

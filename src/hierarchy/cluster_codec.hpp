@@ -27,7 +27,7 @@ namespace enfilade {
 ///     patches   iteration i32 (by ClusterState)
 ///               parents of the split nodes in the order of the splits (list of u32): shapes follow
 ///                 by the same cuts
-///               radiosity, irradiance, deviation (lists of f64), kept light (list of f32),
+///               radiosity, irradiance, deviation, kept light (lists of f64),
 ///               enclosed share (list of f32), lit polygons when that was measured u32, unreachable
 ///               (list of u8)
 ///     links     transport coefficients per link u64

@@ -158,11 +158,11 @@ void PatchForest::keep_light() {
   kept_.clear();
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (!nodes_[n].leaf()) continue;
-    for (const double e : irradiance(n)) kept_.push_back(static_cast<float>(e));
+    kept_.insert(kept_.end(), irradiance(n).begin(), irradiance(n).end());
   }
 }
 
-std::vector<float> PatchForest::take_kept_light() { return std::exchange(kept_, {}); }
+std::vector<double> PatchForest::take_kept_light() { return std::exchange(kept_, {}); }
 
 void PatchForest::forget_enclosed_shares_below(std::uint32_t lit_polygons) {
   // One more lit polygon among hundreds changes no share by more than rays can tell.
@@ -206,7 +206,7 @@ std::size_t PatchForest::memory_bytes() const {
   }
   return nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
          (radiosity_.capacity() + irradiance_.capacity() + deviation_.capacity()) * sizeof(double) +
-         kept_.capacity() * sizeof(float) + frames_.size() * (sizeof(PolygonFrame) + in_frames) +
+         kept_.capacity() * sizeof(double) + frames_.size() * (sizeof(PolygonFrame) + in_frames) +
          groups_.size() * (sizeof(GroupNode) + sizeof(double) * (2 * bands + 1));
 }
 

@@ -162,11 +162,11 @@ class PatchForest {
   /// Computes from the leaves' irradiance the irradiance and radiosity of every node, and of the
   /// groups.
   void pull();
-  /// Keeps the leaves' irradiance as it is, rounded, until it is taken or a patch is made.
+  /// Keeps the leaves' irradiance as it is, until it is taken or a patch is made.
   void keep_light();
   /// Returns the light that was kept, in the leaves' order, indexed like the light; empty where
   /// there is none.
-  std::vector<float> take_kept_light();
+  std::vector<double> take_kept_light();
   /// Returns the leaf of a polygon that contains point p of its plane.
   std::size_t leaf_at(std::size_t polygon, const Vec3& p) const;
   /// Writes the radiosity (or irradiance) of polygon `polygon`, band by band, at a point of its
@@ -209,7 +209,7 @@ class PatchForest {
   std::vector<GroupNode> groups_;
   std::vector<std::uint32_t> order_;
   std::vector<double> radiosity_, irradiance_, deviation_;
-  std::vector<float> kept_;  ///< the leaves' irradiance of an earlier iteration, or empty
+  std::vector<double> kept_;  ///< the leaves' irradiance of an earlier iteration, or empty
   std::vector<double> group_radiosity_, group_deviation_, group_exitance_;
   std::vector<float> enclosed_share_;
   /// Number of lit polygons in view when the enclosed shares were measured.

@@ -21,12 +21,14 @@ constexpr double least_shadow = 2e-3;
 /// middle may agree by chance.
 constexpr double near_share = 0.25;
 constexpr int most_part_halvings = 14;
-/// The shadows of up to so many occluders are cut out of a part exactly.
+/// Up to so many occluders, and panes, are cut out of a part exactly.
 constexpr std::size_t most_shadows = 16;
 /// More polygons than these are looked for anew before each half.
 constexpr std::size_t most_kept = 4096;
 /// Of the light of a part of which rays find some points hidden: the error that remains.
 constexpr double mixed_error = 0.25;
+/// What passes from two points differs by more than this where they are seen through other panes.
+constexpr double other_pane = 0.05;
 using std::numbers::pi;
 
 class Opening {
@@ -82,6 +84,7 @@ class Opening {
       halve(part, halvings, among);
       return;
     }
+    if (kernel.at <= 0.0 && kernel.spread <= 0.0 && !may_shine(part)) return;
     const Polygon outline = facing(part.corners());
     std::vector<std::uint32_t> between;
     const bool known = find_between(outline, among, between);
@@ -89,7 +92,7 @@ class Opening {
     if (known && !between.empty() && hidden_by_one(outline)) return;
     const bool may_halve = halvings < most_part_halvings;
     const bool rough = kernel.spread > least_error * scale_ ||
-                       (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0 && may_shine(part));
+                       (may_halve && kernel.at <= 0.0 && kernel.spread <= 0.0);
     const bool near = part.radius > near_share * glm::length(part.center - place_.x) &&
                       kernel.at > least_error * scale_;
     if (may_halve && (rough || near)) {
@@ -113,6 +116,7 @@ class Opening {
   bool find_between(const Polygon& outline, const std::vector<std::uint32_t>* among,
                     std::vector<std::uint32_t>& between) const {
     constexpr std::uint32_t none = RayScene::no_polygon;
+    if (work_ != nullptr) ++work_->shafts;
     if (among == nullptr) {
       return occluders_.find_between({place_.x}, outline, place_.own, none, most_kept, between);
     }
@@ -148,6 +152,7 @@ class Opening {
     for (const std::uint32_t k : between)
       if (!visible_.hide(occluders_.polygon(k))) return false;
     occluders_.panes_between({place_.x}, outline, place_.own, RayScene::no_polygon, panes_);
+    if (panes_.size() > most_shadows) return false;
     const double share_per_m2 = part.share / part.shape.area_m2;
     for (std::size_t i = 0; i < visible_.size(); ++i) {
       if (panes_.empty()) {
@@ -180,6 +185,7 @@ class Opening {
 
   void add_by_rays(const LightPart& part, const LightKernel& kernel) {
     int seen = 0, count = 0;
+    double least = 1.0, most = 0.0;  // of what passes
     for (const LightPoint& point : part.points()) {
       const double one = point.share * kernel_from(*part.light, point.y, place_.x, place_.n);
       if (one <= 0.0) continue;
@@ -187,10 +193,13 @@ class Opening {
       const Passage passing = passage(point.y);
       tint_.add(one, passing);
       seen += passing.share > 0.0;
+      least = std::min(least, passing.share);
+      most = std::max(most, passing.share);
       sum_ += one * passing.share;
     }
     error2_ += kernel.spread * kernel.spread;
-    if (seen > 0 && seen < count) edge_error_ += mixed_error * kernel.at;
+    if ((seen > 0 && seen < count) || most > least + other_pane)
+      edge_error_ += mixed_error * kernel.at;
   }
 
   void halve(const LightPart& part, int halvings, const std::vector<std::uint32_t>* among) {

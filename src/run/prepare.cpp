@@ -177,12 +177,21 @@ RunMark mark_of_prepared(const std::string& run_directory) {
 
 }  // namespace
 
+/// The clusters as they are kept, without what walks to the old lamps found.
+std::string without_walks(const std::string& bytes) {
+  std::vector<Cluster> clusters = clusters_from_bytes(bytes);
+  for (Cluster& cluster : clusters)
+    for (ClusterPolygon& polygon : cluster.polygons) polygon.walked_dark = false;
+  return to_bytes(clusters);
+}
+
 void prepare_relit(const Scene& scene, const std::string& from, const std::string& run_directory,
                    RunLock& lock) {
   RunMark mark = mark_of_prepared(from);
   std::map<std::string, std::string> kept;
   for (const auto& [name, sum] : mark.files)
     if (name != "scene.json") kept[name] = read_prepared_file(from, name, mark);
+  kept.at("clusters.bin") = without_walks(kept.at("clusters.bin"));
   std::error_code missing;
   const bool in_place = std::filesystem::equivalent(from, run_directory, missing);
   check_run_directory(run_directory);

@@ -14,8 +14,8 @@
 
 namespace enfilade {
 
-/// 4: checksums of the mark and of all files of the preparation.
-inline constexpr int mark_version = 4;
+/// 4: checksums of the mark and of all files of the preparation; 5: polygons that walks found dark.
+inline constexpr int mark_version = 5;
 
 struct RunMark {
   bool prepared = false;  ///< false: it is being prepared, or was left so, or is damaged

@@ -11,7 +11,7 @@ namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> mark = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 5;  // 4: run, iteration of the links; 5: tints, lead bands
+constexpr std::uint32_t version = 6;  // 5: tints, lead bands; 6: kept light
 
 /// The header without its own checksum.
 constexpr std::size_t summed_bytes =

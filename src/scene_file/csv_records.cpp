@@ -16,17 +16,30 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(from, text.find_last_not_of(" \t\r") - from + 1));
 }
 
+/// True where `separator` parts the line into the three fields that a place needs at least: not one
+/// in a text, nor a tab behind each comma.
+bool parts(std::string_view line, char separator) {
+  bool quoted = false;
+  char before = separator;
+  int found = 0;
+  for (const char c : line) {
+    quoted ^= c == '"';
+    if (c == separator && !quoted) {
+      if (before == ',') return false;
+      ++found;
+    }
+    if (c != ' ') before = c;
+  }
+  return found >= 2;
+}
+
 /// What separates the fields of the first line that is neither blank nor a comment.
 char separator_of(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     if (!line.starts_with('#') && !trimmed(line).empty()) {
-      bool quoted = false;
       for (const char separator : {';', '\t'}) {
-        for (const char c : line) {
-          quoted ^= c == '"';
-          if (c == separator && !quoted) return separator;
-        }
+        if (parts(line, separator)) return separator;
       }
       return ',';
     }

@@ -109,8 +109,9 @@ class TableReader {
       throw InputError(
           file_.path, "line " + std::to_string(record.line),
           fmt::format("has {} fields, where {} are named", record.fields.size(), count),
-          "write as many on each line, separated by commas, with a point in numbers, or by "
-          "semicolons or tabs");
+          fmt::format(
+              "write as many on each line, separated by {}, as on the first one",
+              file_.table.separator == '\t' ? "tabs" : in_quotes({&file_.table.separator, 1})));
     }
     Probe probe;
     for (std::size_t i = 0; i < 3; ++i) probe.p[static_cast<int>(i)] = number(record, i);
@@ -136,7 +137,15 @@ class TableReader {
 
   double number(const CsvRecord& record, std::size_t coordinate) {
     const std::string& field = record.fields[layout_.column[coordinate]];
-    if (field.find(',') != std::string::npos) file_.table.decimal_comma = true;
+    const bool comma = field.find(',') != std::string::npos;
+    file_.table.decimal_comma |= comma;
+    decimal_point_ |= field.find('.') != std::string::npos;
+    if (decimal_point_ && file_.table.decimal_comma) {
+      throw InputError(file_.path, place(record, coordinate),
+                       "is " + in_quotes(field) + ", where numbers before have a decimal " +
+                           (comma ? "point" : "comma"),
+                       "write all numbers with the same decimal sign, none for thousands");
+    }
     if (const auto x = number_in(field, file_.table.separator)) return *x;
     throw InputError(file_.path, place(record, coordinate),
                      "is " + in_quotes(field) + ", not a finite number",
@@ -147,6 +156,7 @@ class TableReader {
     if (fault) throw InputError(file_.path, place(record, coordinate), fault.what, fault.hint);
   }
 
+  bool decimal_point_ = false;  ///< a number had one
   ProbeFile file_;
   Layout layout_;
 };

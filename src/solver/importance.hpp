@@ -36,7 +36,8 @@ std::vector<float> importance_to(std::span<const Probe> points, const Scene& sce
                                  WorkCount& work, const ImportanceConfig& config = {});
 
 /// Returns how many of the points no light of the scene's surfaces reaches: they see no front, or
-/// backs on more than half of what they see, as within a wall or under a floor. Sky counts as seen.
+/// backs in more than half of their hemisphere, as within a wall or under a floor. Sky counts as
+/// seen.
 std::size_t blind_points(std::span<const Probe> points, const Scene& scene,
                          const Occluders& occluders);
 

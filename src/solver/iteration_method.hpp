@@ -12,8 +12,8 @@ namespace enfilade {
 /// Jacobi        every gather takes the light of the last iteration (the committed light)
 /// Gauss-Seidel  a gather takes the newest light of those clusters that its own rank has gathered
 ///               for in this iteration: the paper's group iteration (§8)
-/// Hybrid, the default: Jacobi while links are refined or errors sampled, and wherever the coarse
-/// correction has several aggregates per cluster; Gauss-Seidel otherwise.
+/// Hybrid, the default: with the coarse correction Jacobi in all iterations, since extrapolation
+/// needs the light of one iteration, but after a correction that failed; Gauss-Seidel without it.
 struct IterationMethod {
   bool coarse_correction = true;  ///< false: the paper's group iteration as it is
   bool jacobi = false;            ///< Jacobi in every iteration
@@ -26,7 +26,8 @@ struct IterationMethod {
   /// depend on the ranks' number and speeds, so refining iterations must be Jacobi iterations; the
   /// coarse correction makes up for the slower convergence. Where a cluster has several aggregates,
   /// all receivers must read the same light of all of them, since otherwise a shift of light
-  /// between aggregates would be counted as a change of power.
+  /// between aggregates would be counted as a change of power; and what is extrapolated must be the
+  /// light of one iteration.
   bool uses_jacobi(const IterationPlan& plan, const CoarseUnknowns& unknowns) const {
     return jacobi || (coarse_correction && (plan.refine || plan.sample ||
                                             plan.extrapolation >= 1.0 || unknowns.aggregated()));

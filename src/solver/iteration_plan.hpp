@@ -49,10 +49,6 @@ struct IterationSummary {
   double time_s = 0.0;  ///< since the start of the solve: wall clock or simulated
 };
 
-/// True where so few links were refined that the light comes to rest all the same: at most one in
-/// `per` (PlanWeights::links_per_refined).
-bool few_links_refined(const IterationSummary& iteration, double per = 1000.0);
-
 /// Called after every iteration.
 using IterationObserver = std::function<void(const IterationSummary&)>;
 
@@ -94,6 +90,11 @@ struct PlanWeights {
   /// is measured and subtracted; it need only stay below the target error.
   double sample_rays_times_target = 4.0, least_sample_rays = 64.0, most_sample_rays = 1024.0;
 };
+
+/// True where so few links were refined that the light comes to rest all the same: at most one in
+/// `per` (PlanWeights::links_per_refined).
+bool few_links_refined(const IterationSummary& iteration,
+                       double per = PlanWeights{}.links_per_refined);
 
 /// Power that surfaces emit.
 struct SurfacesPower {

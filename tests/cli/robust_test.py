@@ -182,9 +182,9 @@ class Files(InRun):
                 self.assertIn("standard output: cannot be written", result.stderr)
 
     def test_a_file_of_the_run_is_no_output(self):
-        for name in ("run.json", "scene.json", "reports.json", "common/manifest.json"):
+        for name in ("run.json", "scene.json", "reports.json", "common/manifest.json", "clusters.bin", "graph.bin", "lock", "costs/1/rank-0"):
             for command in (["probe", self.run_directory, "--points", ROOM], ["locate", self.run_directory, "--points", ROOM],
-                            ["export", self.run_directory]):
+                            *([["export", self.run_directory]] if name.endswith(".json") else [])):
                 with self.subTest(name, command=command[0]):
                     self.assert_refused(enfilade(*command, "-o", self.run_directory / name), name, "the run keeps for itself")
         self.assertEqual(enfilade("info", self.run_directory).returncode, 0)

@@ -13,20 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True for a file in RUN that something is computed from: one in the place of it would end the
-/// run.
+/// True for a file in RUN, or in one of its own folders, that something is computed from: one in
+/// the place of it would end the run.
 bool is_kept_by_run(const std::string& path) {
   std::error_code code;
   const fs::path whole = fs::absolute(path, code).lexically_normal();
-  const std::string name = whole.filename().string(),
-                    folder = whole.parent_path().filename().string();
-  const auto in_run = [&](const fs::path& run) { return fs::exists(run / "run.json", code); };
-  for (const char* own : {"run.json", "scene.json", "leaks.json", "reports.json", "stats.json",
-                          "history.json", "warnings.json", "assignment.json"}) {
-    if (name == own) return in_run(whole.parent_path());
+  for (fs::path run = whole.parent_path(); run != run.root_path(); run = run.parent_path()) {
+    if (!fs::exists(run / "run.json", code)) continue;
+    const fs::path inside = whole.lexically_relative(run);
+    const std::string first = inside.begin()->string();
+    for (const char* own :
+         {"run.json", "scene.json", "leaks.json", "reports.json", "stats.json", "history.json",
+          "warnings.json", "assignment.json", "cells.bin", "clusters.bin", "graph.bin", "lock",
+          "common", "costs", "shares", "local", "before-relight"}) {
+      if (first == own) return true;
+    }
   }
-  for (const char* own : {"common", "costs", "shares", "local"})
-    if (folder == own) return in_run(whole.parent_path().parent_path());
   return false;
 }
 

@@ -11,9 +11,8 @@ Warnings blind_target_points(const std::string& file, std::span<const Probe> poi
   const std::size_t blind = blind_points(points, prepared.scene, Occluders(prepared.clusters));
   if (blind == 0) return warnings;
   warnings.add(file, std::to_string(blind) + " of " + std::to_string(points.size()) +
-                         " points see nothing, or mostly backs, as in a wall or under a floor: " +
-                         (blind < points.size() ? "the target error is held at the others"
-                                                : "the target error is held everywhere"));
+                         " points see nothing, or mostly backs, as in a wall or under a floor: "
+                         "the error there is not held; move them into a room");
   return warnings;
 }
 

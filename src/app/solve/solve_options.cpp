@@ -8,7 +8,6 @@
 #include "app/frame/subcommand.hpp"
 #include "base/error.hpp"
 #include "machine/cost_model.hpp"
-#include "scene_file/scene_io.hpp"
 
 namespace enfilade {
 
@@ -132,9 +131,8 @@ void add_method_options(OptionGroup& group, SolveOptions& o) {
   group
       .add("--iteration", o.iteration,
            "Light that a gather takes from its own rank's clusters: jacobi, the last iteration's; "
-           "hybrid, the newest (Gauss-Seidel within a rank), but the last iteration's wherever "
-           "the coarse correction is on and links are refined or the scene has fewer than 128 "
-           "clusters",
+           "hybrid, the newest (Gauss-Seidel within a rank) with --no-coarse-correction, else "
+           "the last iteration's as well",
            CLI::IsMember({"hybrid", "jacobi"}))
       ->transform(renamed_value("--iteration", "gauss-seidel", "hybrid", o.notes));
 }

@@ -67,7 +67,7 @@ void GltfMaterials::read_colours(const Json& source, Entry& entry, double& alpha
     for (std::size_t i = 0; i < 3; ++i) entry.colour[i] *= mean->srgb[i];
     alpha *= mean->linear[3];
   } else if (from.contains(image)) {
-    constexpr double unknown = 0.5;  // as of a model without colours: a factor of white is none
+    constexpr double unknown = 0.5;  // the mean of an unknown texture
     for (double& c : entry.colour) c *= unknown;
     warnings_.add(where, "the texture of its colour is not known: taken as 0.5");
   }

@@ -22,7 +22,7 @@ TEST(Extrapolate, ChangesHowTheLightLiesAndNotItsPower) {
   ClusterState state = two_halves();
   EXPECT_NEAR(arriving_power(state)[0], 9.0, 1e-12);
   // Earlier there was a third as much light, 0.95 and 2.05 when scaled to what there is now.
-  extrapolate(state, std::vector<float>{0.95f / 3.0f, 2.05f / 3.0f}, 1.5);
+  extrapolate(state, std::vector<double>{0.95 / 3.0, 2.05 / 3.0}, 1.5);
   EXPECT_NEAR(state.patches().irradiance(1)[0], 0.95 + 1.5 * 0.05, 1e-6);
   EXPECT_NEAR(state.patches().irradiance(2)[0], 2.05 - 1.5 * 0.05, 1e-6);
   EXPECT_NEAR(arriving_power(state)[0], 9.0, 1e-6);
@@ -33,7 +33,7 @@ TEST(Extrapolate, LeavesAloneWhatIsFarFromItsRest) {
   ClusterState state = two_halves();
   extrapolate(state, {}, 1.25);
   EXPECT_EQ(state.patches().irradiance(1)[0], 1.0);
-  extrapolate(state, std::vector<float>{2.0f, 1.0f}, 1.9);
+  extrapolate(state, std::vector<double>{2.0, 1.0}, 1.9);
   EXPECT_EQ(state.patches().irradiance(1)[0], 1.0);
   EXPECT_EQ(state.patches().irradiance(2)[0], 2.0);
 }

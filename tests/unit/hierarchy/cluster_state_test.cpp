@@ -35,7 +35,7 @@ TEST(ClusterState, KeepsTheLightOfAnEarlierIterationUntilAPatchIsMade) {
   state.patches().irradiance(0)[0] = 0.75;
   state.patches().keep_light();
   ClusterState copy(state.bytes_of(Section::geometry), state.bytes_of(Section::patches), {});
-  const std::vector<float> kept = copy.patches().take_kept_light();
+  const std::vector<double> kept = copy.patches().take_kept_light();
   ASSERT_EQ(kept.size(), 3u);
   EXPECT_EQ(kept[0], 0.75f);
   EXPECT_TRUE(copy.patches().take_kept_light().empty());

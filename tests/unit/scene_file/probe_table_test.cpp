@@ -34,5 +34,27 @@ TEST(ProbeTableFile, KeepsItsSeparatorAndDecimalSign) {
       "x,y,z,\"a;b\",E,error,unit,from,E by desk; left\n1.5,2,0.75,c,12.5,0.5,lx,gather,2.5\n");
 }
 
+TEST(ProbeTableFile, ASemicolonInATextOrTabsBehindCommasSeparateNothing) {
+  std::vector<Probe> probes;
+  answered("1.0,2.0,0.75,desk; left\n", &probes);
+  EXPECT_EQ(probes[0].p, Vec3(1, 2, 0.75));
+  answered("x,\ty,\tz\n1.0,\t2.0,\t0.75\n", &probes);
+  EXPECT_EQ(probes[0].p, Vec3(1, 2, 0.75));
+}
+
+TEST(ProbeTableFile, TwoDecimalSignsAreRefused) {
+  for (const char* table : {"x;y;z\n1,234;0.75;0,5\n", "1.5;2;0\n1,5;2;0\n"}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("points.csv", table);
+    try {
+      read_probes(path);
+      ADD_FAILURE() << table;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("same decimal sign"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -105,6 +105,25 @@ TEST(IterationPlan, RefinesUntilTheAskedErrorIsEstimated) {
   EXPECT_FALSE(stuck.converged);
 }
 
+/// At a high reflectance the light grows while links are refined, and the tolerance with it.
+TEST(IterationPlan, TheToleranceFollowsLightThatHasDoubled) {
+  const PlanConfig asked{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
+  const double first = first_plan(asked).link_tolerance;
+  const auto tolerance = [&](double growth, bool sampled_before) {
+    std::vector<IterationSummary> history = {summary(1, 0.5, 9000)};
+    if (sampled_before) history.push_back(sampled(2, 0.5));
+    history.push_back(summary(3, 0.01, 9000));
+    for (IterationSummary& s : history) s.plan.link_tolerance = first;
+    history.back().figures.received_power = growth * 10.0;
+    history.back().figures.change_power = 0.1;
+    return next_plan(history, asked).link_tolerance;
+  };
+  EXPECT_DOUBLE_EQ(tolerance(2.5, false), 2.5 * first);
+  EXPECT_DOUBLE_EQ(tolerance(1.5, false), first);
+  EXPECT_DOUBLE_EQ(tolerance(2.5, true), first);
+}
+
 /// Finer links that bring less than they should end the refinement, unless the target is near.
 TEST(IterationPlan, SlowRefinementGoesOnWhereTheTargetIsNear) {
   const PlanConfig asked{

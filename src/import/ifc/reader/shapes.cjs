@@ -88,14 +88,16 @@ function boundingBoxesOf(model, id) {
   const items = list(shape?.Representations).flatMap(r => list(model.line(r)?.Items));
   const boxes = items.map(item => model.line(item)).filter(line => line?.XDim !== undefined && line?.Corner !== undefined);
   if (!matrix || !boxes.length) return undefined;
-  return boxes.map(box => {
-    const low = plain(model.line(plain(box.Corner)).Coordinates);
+  const parts = boxes.flatMap(box => {
+    const low = (plain(model.line(plain(box.Corner))?.Coordinates) ?? []).map(plain);
+    if (low.length !== 3) return [];
     const size = [box.XDim, box.YDim, box.ZDim].map(plain);
     const points = [0, 1, 2, 3, 4, 5, 6, 7].flatMap(
         i => model.worldPoint(matrix, low.map((x, k) => x + (i >> k & 1) * size[k])));
     const sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
-    return {points, triangles: sides.flatMap(([a, b, c, d]) => [a, b, c, a, c, d])};
+    return [{points, triangles: sides.flatMap(([a, b, c, d]) => [a, b, c, a, c, d])}];
   });
+  return parts.length ? parts : undefined;
 }
 
 module.exports = {shapesOf, boundingBoxesOf, boxOf, floorOf};
