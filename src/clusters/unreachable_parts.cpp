@@ -15,8 +15,7 @@ namespace {
 
 constexpr int points_of_part = 8;  // walks of a part start from this many stratified points
 /// Where the whole piece seems dark, a contact has this part of the walks on either side, at three
-/// points: in the duplex nine of ten contacts lie in the dark, and seven of ten walks from lit
-/// places find light.
+/// points: of walks from places of the duplex that light reaches, two of three find it.
 constexpr int few_walks = 16;
 constexpr double inside_share = 0.96;  // of the way from a part's centroid to such a point
 

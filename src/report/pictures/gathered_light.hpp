@@ -27,6 +27,7 @@ struct GatherQuality {
 /// its light if nothing hid it. What rays meet has the light of its patch.
 class QuickGather {
  public:
+  /// `solved` must outlive it.
   QuickGather(const SolvedScene& solved, int rays);
 
   /// Adds the irradiance per band that lamps and other bright emitters give at p, on polygon `own`
