@@ -57,6 +57,7 @@ bool LightWalk::one_walk(std::size_t piece, Vec3 p, Vec3 n, Random& random) {
   int steps = 0;
   while (steps < max_bounces_) {
     p += offset_m_ * n;
+    ++steps_;
     if (finds_light_from(piece, p, n, random)) return true;
     const double r2 = random.uniform(), turn = random.uniform();
     const Vec3 d = cosine_direction(n, r2, turn);

@@ -24,6 +24,8 @@ class LightWalk {
 
   /// Marks a whole piece from which no walk has found light.
   void mark_dark(std::size_t piece) { faces_[piece].dark = true; }
+  /// Returns the number of steps of all walks so far.
+  std::uint64_t steps() const { return steps_; }
   /// True if any of `walks` walks from p, on piece `piece` with unit normal n, finds light.
   bool finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int walks, Random& random);
 
@@ -45,6 +47,7 @@ class LightWalk {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> emitters_;
   std::vector<std::size_t> last_found_;  ///< per cell: a light or, after them, an emitter
+  std::uint64_t steps_ = 0;
   RayScene rays_;
 };
 

@@ -14,9 +14,12 @@ namespace enfilade {
 namespace {
 
 constexpr int points_of_part = 8;  // walks of a part start from this many stratified points
-/// Where the whole piece seems dark, a contact has this part of the walks on either side, at three
+/// Where a part seems dark, a contact in it has this part of the walks on either side, at three
 /// points: of walks from places of the duplex that light reaches, two of three find it.
 constexpr int few_walks = 16;
+/// Of the steps that are left, a piece may use as many equal shares as it has contacts, or this
+/// many.
+constexpr std::size_t least_shares = 16;
 constexpr double inside_share = 0.96;  // of the way from a part's centroid to such a point
 
 /// A part of a piece, and its halves where it is cut along a contact; a leaf has no children (0).
@@ -49,21 +52,21 @@ class PieceCut {
  public:
   PieceCut(std::size_t piece, const Polygon& polygon, std::vector<Segment> segments,
            LightWalk& walk, const UnreachableConfig& config, double tolerance_m,
-           double min_length_m, Random random)
+           double min_length_m, std::uint64_t last_step, Random random)
       : piece_(piece),
         n_(normal(polygon)),
         walk_(walk),
         config_(config),
         tolerance_m_(tolerance_m),
         min_length_m_(min_length_m),
+        last_step_(last_step),
         random_(random) {
-    nodes_.push_back({polygon, std::move(segments)});
+    add(polygon, std::move(segments));
   }
 
   std::vector<Part> parts() {
-    nodes_[0].unreachable = is_unreachable(nodes_[0].polygon);
     cut();
-    classify();
+    join_alike();
     std::vector<Part> found;
     collect(0, found);
     rejoin(found);
@@ -71,6 +74,11 @@ class PieceCut {
   }
 
  private:
+  void add(Polygon polygon, std::vector<Segment> segments) {
+    const bool unreachable = is_unreachable(polygon);
+    nodes_.push_back({std::move(polygon), std::move(segments), 0, 0, unreachable});
+  }
+
   /// Longest contact first, over all leaves, until no contact parts reachable ground from
   /// unreachable.
   void cut() {
@@ -80,7 +88,8 @@ class PieceCut {
       if (!nodes_[i].segments.empty()) longest.push({nodes_[i].segments[0].length_m(), i});
     };
     push(0);
-    for (std::size_t leaves = 1; !longest.empty() && leaves < config_.max_parts;) {
+    for (std::size_t leaves = 1;
+         !longest.empty() && leaves < config_.max_parts && walk_.steps() < last_step_;) {
       const std::size_t i = longest.top().second;
       longest.pop();
       leaves += halve(i) ? 1 : 0;
@@ -100,7 +109,8 @@ class PieceCut {
     const Vec3 across = glm::normalize(glm::cross(n_, s.b - s.a));
     std::pair<Polygon, Polygon> halves;
     const Plane plane{across, glm::dot(across, s.a)};
-    const bool border = parts_reachable_ground(s, across);
+    const int walks = std::max(1, config_.walks / (nodes_[i].unreachable ? few_walks : 2));
+    const bool border = parts_reachable_ground(s, across, walks);
     if (border) halves = split(nodes_[i].polygon, plane, tolerance_m_);
     if (halves.first.size() < 3 || halves.second.size() < 3) {
       nodes_[i].segments.erase(nodes_[i].segments.begin());
@@ -109,17 +119,13 @@ class PieceCut {
     const std::vector<Segment> segments = std::move(nodes_[i].segments);
     nodes_[i].front = nodes_.size();
     nodes_[i].back = nodes_.size() + 1;
-    nodes_.push_back(
-        {std::move(halves.first), in_front(segments, plane, tolerance_m_, min_length_m_)});
-    nodes_.push_back({std::move(halves.second),
-                      in_front(segments, plane.flipped(), tolerance_m_, min_length_m_)});
+    add(std::move(halves.first), in_front(segments, plane, tolerance_m_, min_length_m_));
+    add(std::move(halves.second), in_front(segments, plane.flipped(), tolerance_m_, min_length_m_));
     return true;
   }
 
-  /// Is light found on one side of the contact and not on the other, at one of three points? Where
-  /// none was found from the whole piece, few walks look for it.
-  bool parts_reachable_ground(const Segment& s, const Vec3& across) {
-    const int walks = std::max(1, config_.walks / (nodes_[0].unreachable ? few_walks : 2));
+  /// Is light found on one side of the contact and not on the other, at one of three points?
+  bool parts_reachable_ground(const Segment& s, const Vec3& across, int walks) {
     for (const double t : {0.5, 0.15, 0.85}) {
       const Vec3 p = s.a + t * (s.b - s.a);
       const Vec3 aside = 4.0 * tolerance_m_ * across;
@@ -146,21 +152,18 @@ class PieceCut {
       while (k + 1 < polygon.size() && before + triangle(k) < target) before += triangle(k++);
       const double r1 = random_.uniform(), r2 = random_.uniform();
       const Vec3 p = point_in_triangle(polygon[0], polygon[k - 1], polygon[k], r1, r2);
+      if (walk_.steps() >= last_step_) return false;
       const int walks = std::max(1, config_.walks / points_of_part);
       if (walk_.finds_light(piece_, c + inside_share * (p - c), n_, walks, random_)) return false;
     }
     return true;
   }
 
-  /// Leaves are classified by walks; two leaves of one node that are alike become whole again.
-  void classify() {
-    if (nodes_.size() == 1) return;  // was classified as a whole
+  /// Two leaves of one node that are alike become whole again.
+  void join_alike() {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       Node& node = nodes_[i];
-      if (node.front == 0) {
-        node.unreachable = is_unreachable(node.polygon);
-        continue;
-      }
+      if (node.front == 0) continue;
       const Node &a = nodes_[node.front], &b = nodes_[node.back];
       if (a.front == 0 && b.front == 0 && a.unreachable == b.unreachable) {
         node.unreachable = a.unreachable;
@@ -215,6 +218,7 @@ class PieceCut {
   LightWalk& walk_;
   const UnreachableConfig& config_;
   double tolerance_m_, min_length_m_;
+  std::uint64_t last_step_;  ///< of the walks: then all that is left is taken to be reachable
   Random random_;
   std::vector<Node> nodes_;
 };
@@ -233,10 +237,16 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
   const ContactSegments contacts(polygons, tolerance_m, min_length_m);
   // Walks start clear of polygons that lie in the plane itself.
   LightWalk walk(scene, pieces, 2.0 * tolerance_m, config.max_bounces);
+  const std::uint64_t most_steps = config.free_steps + config.steps_per_piece * pieces.size();
   std::vector<CellPiece> cut;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i].piece;
-    PieceCut one(i, piece.polygon, contacts.inside(i), walk, config, tolerance_m, min_length_m,
+    std::vector<Segment> segments = contacts.inside(i);
+    const std::uint64_t left = most_steps - std::min(most_steps, walk.steps());
+    const std::uint64_t steps =
+        left / (pieces.size() - i) * std::max(least_shares, segments.size());
+    PieceCut one(i, piece.polygon, std::move(segments), walk, config, tolerance_m, min_length_m,
+                 walk.steps() + std::min(steps, left),
                  Random(config.seed * 0x9E3779B97F4A7C15ull + i));
     std::vector<Part> parts = one.parts();
     if (std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.unreachable; }))

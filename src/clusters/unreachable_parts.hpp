@@ -12,9 +12,13 @@
 namespace enfilade {
 
 struct UnreachableConfig {
-  int walks = 32;                     ///< random walks that find no light from an unreachable part
-  int max_bounces = 64;               ///< a walk that finds none in so many steps ends
-  std::size_t max_parts = 128;        ///< a piece is cut into at most this many
+  int walks = 32;               ///< random walks that find no light from an unreachable part
+  int max_bounces = 64;         ///< a walk that finds none in so many steps ends
+  std::size_t max_parts = 128;  ///< a piece is cut into at most this many
+  /// Steps of all walks together: some for any scene, and more for each piece. Buildings take 25 to
+  /// 55 for each piece. Where these are not enough, as among sheets that all cross each other, what
+  /// is left is taken to be reachable.
+  std::uint64_t free_steps = 200'000, steps_per_piece = 100;
   double min_length_relative = 5e-4;  ///< shorter contacts do not cut, relative to the diagonal
   std::uint64_t seed = 1;
 };

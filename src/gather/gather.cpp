@@ -92,10 +92,11 @@ void Gatherer::link_root(ClusterId cluster, PatchId shooter) {
 }
 
 void Gatherer::gather_lights() {
-  if (first_time_) {
-    for (std::uint32_t i = 0; i < lights_.size(); ++i) link_root({}, {i, 1});
+  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
+    if (lights_[i].is_far() && !shooters_.outside) continue;
+    if (first_time_) link_root({}, {i, 1});
+    samples_.add(lights_[i]);
   }
-  for (const LightSource& light : lights_) samples_.add(light);
   take_links({}, nullptr, false);
 }
 

@@ -52,6 +52,9 @@ struct Shooters {
       listed;  ///< ascending; contains the receiver. Ignored with a far field
   const FarField* far = nullptr;
   const FarUnknowns* unknowns = nullptr;  ///< with a far field and a coarse system
+  /// False where cells and portals prove that the receiver sees no place outside the building, so
+  /// that sky, sun and ground send it nothing.
+  bool outside = true;
 };
 
 /// Returns a visible cluster, which need stay valid only until the next call.

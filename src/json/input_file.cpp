@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "json/text_encoding.hpp"
 
 namespace enfilade {
 namespace {
@@ -108,6 +109,6 @@ class InputFile {
 
 }  // namespace
 
-std::string read_bytes(const std::string& path) { return InputFile(path).read(); }
+std::string read_text(const std::string& path) { return file_in_utf8(InputFile(path).read()); }
 
 }  // namespace enfilade

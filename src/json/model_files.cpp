@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "json/json_text.hpp"
+#include "json/text_encoding.hpp"
 
 namespace enfilade {
 namespace {
@@ -127,6 +128,12 @@ const std::string& ModelFiles::read(const std::string& path, const Place& place)
   bytes.resize(done);
   hash_ = XXH64(bytes.data(), bytes.size(), hash_);
   return read_.emplace(path, std::move(bytes)).first->second;
+}
+
+const std::string& ModelFiles::read_text(const std::string& path, const Place& place) {
+  const std::string& bytes = read(path, place);
+  if (utf16_by_mark(bytes) == nullptr) return bytes;
+  return text_.try_emplace(path, file_in_utf8(bytes)).first->second;
 }
 
 }  // namespace enfilade

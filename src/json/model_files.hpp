@@ -34,6 +34,8 @@ class ModelFiles {
   /// Returns the bytes of a file that is named at `place`, read once and kept. Throws InputError
   /// that names the place where it is missing, empty, no regular file, outside or too large.
   const std::string& read(const std::string& path, const Place& place);
+  /// The same for a file of text: in UTF-8 (text_encoding.hpp).
+  const std::string& read_text(const std::string& path, const Place& place);
   /// True where a file of that path may be read.
   bool allowed(const std::string& path) const;
   /// True where a file of that name is there, of whatever kind.
@@ -48,7 +50,7 @@ class ModelFiles {
   std::vector<std::string> models_, folders_;
   bool allow_outside_;
   std::uint64_t bytes_ = 0, hash_ = 0;
-  std::map<std::string, std::string> read_;
+  std::map<std::string, std::string> read_, text_;  ///< by path
 };
 
 }  // namespace enfilade

@@ -27,7 +27,8 @@ std::string options_of(PrepareConfig config) {
   if (!config.cluster_graph) config.visibility = {};  // it decides nothing then
   const auto& [cells, unreachable, clusters, contacts, cluster_graph, visibility] = config;
   const auto& [min_occlusion, min_border_share, tolerance_relative, max_leaves] = cells;
-  const auto& [walks, max_bounces, max_parts, min_length_relative, seed] = unreachable;
+  const auto& [walks, max_bounces, max_parts, free_steps, steps_per_piece, min_length_relative,
+               seed] = unreachable;
   const auto& [max_polygons, max_extent_share, large_share, pool_polygons] = clusters;
   const auto& [min_contact_relative, most_contacts] = contacts;
   const auto& [max_passes, prove_hidden, occlusion] = visibility;
@@ -41,6 +42,8 @@ std::string options_of(PrepareConfig config) {
                                        {"unreachable_walks", walks},
                                        {"unreachable_max_bounces", max_bounces},
                                        {"unreachable_max_parts", max_parts},
+                                       {"unreachable_free_steps", free_steps},
+                                       {"unreachable_steps_per_piece", steps_per_piece},
                                        {"unreachable_min_length_relative", min_length_relative},
                                        {"unreachable_seed", seed},
                                        {"cluster_max_polygons", max_polygons},
@@ -164,18 +167,15 @@ RunMark mark_of_prepared(const std::string& run_directory) {
                      "name the run that was replayed; stats.json says which");
   }
   if (!mark || !mark->prepared) {
-    const std::string fault = mark ? mark->fault : "";
+    const std::string fault = mark ? mark->fault : "", other = "of another version of enfilade";
     throw InputError(run_directory, "run.json",
-                     fault.empty() ? "not a prepared run"
-                     : fault.find("of another version of enfilade") != std::string::npos
-                         ? "of another version of enfilade"
-                         : "damaged",
+                     fault.empty()                            ? "not a prepared run"
+                     : fault.find(other) != std::string::npos ? other
+                                                              : "damaged",
                      "run 'enfilade prepare SCENE -o " + run_directory + "' first");
   }
   return *mark;
 }
-
-}  // namespace
 
 /// The clusters as they are kept, without what walks to the old lamps found.
 std::string without_walks(const std::string& bytes) {
@@ -184,6 +184,8 @@ std::string without_walks(const std::string& bytes) {
     for (ClusterPolygon& polygon : cluster.polygons) polygon.walked_dark = false;
   return to_bytes(clusters);
 }
+
+}  // namespace
 
 void prepare_relit(const Scene& scene, const std::string& from, const std::string& run_directory,
                    RunLock& lock) {

@@ -54,6 +54,12 @@ class CsvReader {
   CsvReader(std::string_view text, const std::string& path) : text_(text), path_(path) {
     if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
     separator_ = separator_of(text_);
+    if (const std::string_view told = text_.substr(0, text_.find('\n'));
+        told.starts_with("sep=") && trimmed(told).size() == 5) {
+      separator_ = told[4];
+      at_ = std::min(told.size() + 1, text_.size());
+      ++line_;
+    }
     ends_ = {separator_, '\n'};
     blanks_ = separator_ == '\t' ? " " : " \t";
   }

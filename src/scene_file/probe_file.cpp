@@ -9,7 +9,7 @@
 namespace enfilade {
 
 ProbeFile read_probes(const std::string& path) {
-  ProbeFile file{path, read_bytes(path), {}};
+  ProbeFile file{path, read_text(path), {}};
   if (is_table(path)) return read_probe_table(std::move(file));
   const nlohmann::json document = parse_json(file.text, path);
   const KeyReader keys(path);

@@ -209,7 +209,7 @@ class SceneReader {
 }  // namespace
 
 Scene read_scene(const std::string& path, Warnings& warnings, bool allow_outside) {
-  return SceneReader(path, allow_outside, warnings).read(read_bytes(path));
+  return SceneReader(path, allow_outside, warnings).read(read_text(path));
 }
 
 Scene scene_from(std::string text, const std::string& path, Warnings& warnings) {

@@ -13,7 +13,10 @@ constexpr std::size_t least_clusters_of_tree = 128;
 BuildingField::BuildingField(const Prepared& prepared, const CoarseUnknowns& unknowns,
                              Hierarchy hierarchy)
     : prepared_(prepared), unknowns_(unknowns), hierarchy_(hierarchy) {
-  if (hierarchy == Hierarchy::clusters) return;
+  far_lights_ = std::any_of(prepared.scene.lights.begin(), prepared.scene.lights.end(),
+                            [](const LightSource& light) { return light.is_far(); });
+  if (hierarchy == Hierarchy::clusters && !far_lights_) return;
+  if (far_lights_) outside_ = prepared.cells.outside();
   sights_ = std::make_unique<CellSights>(prepared.cells, prepared.clusters);
   if (!has_tree(hierarchy, prepared.clusters.size())) return;
   tree_ = std::make_unique<BuildingTree>(prepared.clusters);
@@ -38,10 +41,11 @@ void BuildingField::end_iteration(std::span<const double> changes) {
 }
 
 Shooters BuildingField::shooters(ClusterId receiver, std::vector<ClusterId>& listed) const {
-  if (has_tree()) return {{}, field_.get(), far_unknowns_.get()};
+  const bool outside = !far_lights_ || sees_outside(receiver);
+  if (has_tree()) return {{}, field_.get(), far_unknowns_.get(), outside};
   if (hierarchy_ == Hierarchy::clusters) {
     listed = prepared_.graph.visible_to(receiver);
-    return {listed, nullptr, nullptr};
+    return {listed, nullptr, nullptr, outside};
   }
   const std::vector<CellId> seen = sights_->seen_by(receiver);
   for (const Cluster& cluster : prepared_.clusters) {
@@ -52,7 +56,15 @@ Shooters BuildingField::shooters(ClusterId receiver, std::vector<ClusterId>& lis
       listed.push_back(cluster.id);
     }
   }
-  return {listed, nullptr, nullptr};
+  return {listed, nullptr, nullptr, outside};
+}
+
+bool BuildingField::sees_outside(ClusterId receiver) const {
+  const std::span<const CellId> own = sights_->cells_of(receiver);
+  return outside_.valid() && std::any_of(own.begin(), own.end(), [this](CellId cell) {
+           const std::vector<CellId>& seen = sights_->seen_from(cell);
+           return std::binary_search(seen.begin(), seen.end(), outside_);
+         });
 }
 
 }  // namespace enfilade

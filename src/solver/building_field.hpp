@@ -46,10 +46,14 @@ class BuildingField {
   bool lists_shooters() const { return !has_tree(); }
 
  private:
+  bool sees_outside(ClusterId receiver) const;
+
   const Prepared& prepared_;
   const CoarseUnknowns& unknowns_;
   Hierarchy hierarchy_;
-  std::unique_ptr<CellSights> sights_;  ///< unless G_cluster is used
+  bool far_lights_ = false;             ///< the scene has a sky, a sun or a ground
+  CellId outside_;                      ///< with far lights: CellComplex::outside()
+  std::unique_ptr<CellSights> sights_;  ///< unless G_cluster is used and there are no far lights
   // With a tree:
   std::unique_ptr<BuildingTree> tree_;
   std::unique_ptr<BuildingLight> light_;

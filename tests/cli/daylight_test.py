@@ -56,6 +56,20 @@ class Daylight(cli_test.InScratch):
                 self.assertAlmostEqual(float(row["daylight_factor"]), 100 * expected, delta=0.1 * expected)
                 self.assertAlmostEqual(float(row["E"]), 8000 * expected, delta=8 * expected)
 
+    def test_a_bright_sky_over_a_closed_room_costs_and_brings_nothing(self):
+        lamp = {"vertices": [[x, y, 2.9] for x, y, _ in ROOF], "reflectance": 0.5, "exitance": 10}
+        room = {**roofless(), "surfaces": [*roofless()["surfaces"], lamp]}
+        for sky in {**SKY, "horizontal_illuminance": 100000}, {"type": 12, "horizontal_illuminance": 50000,
+                                                               "sun": {"elevation": 50, "azimuth": 200}}:
+            run, _ = self.solve({**room, "sky": sky})
+            links = json.loads((run / "stats.json").read_text(encoding="utf-8"))["links"]
+            self.assertLess(links, 2000)  # patches were split down to the sky's 2% that no point of them had seen
+            for probe, (x, y) in zip(json.loads((run / "probes.json").read_text(encoding="utf-8"))["probes"],
+                                     ((2, 2), (1, 3))):
+                of_lamp = 10 * sum(of_corner(a, b, 2.9) for a in (x, 4 - x) for b in (y, 4 - y))
+                self.assertAlmostEqual(probe["E"][0], of_lamp, delta=1e-3 * of_lamp)
+            shutil.rmtree(run)
+
     def test_tinted_pane_in_the_roof(self):
         scene = roofless()
         scene["surfaces"].append({"vertices": ROOF, "reflectance": 0, "transmittance": [0.8, 0.4]})

@@ -42,7 +42,7 @@ struct GenerateOptions {
 
 Building building_of(const GenerateOptions& options) {
   if (!options.description.empty()) {
-    return describe_building(read_bytes(options.description), options.description, options.changes);
+    return describe_building(read_text(options.description), options.description, options.changes);
   }
   if (options.preset.empty()) return describe_building("{}", "building", options.changes);
   const auto text = preset_description(options.preset);

@@ -7,7 +7,7 @@
 namespace enfilade {
 
 std::vector<GlarePlace> read_glare_places(const std::string& path) {
-  const nlohmann::json document = parse_json(read_bytes(path), path);
+  const nlohmann::json document = parse_json(read_text(path), path);
   const KeyReader keys(path);
   const bool probes = document.is_object() && document.contains("probes");
   const std::string key = probes ? "probes" : "places";

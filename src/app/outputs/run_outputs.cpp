@@ -28,6 +28,7 @@ RunRecord record_of(const IterationSummary& summary) {
   record.set("iteration", summary.plan.iteration);
   record.set("refine", summary.plan.refine);
   record.set("link_tolerance", summary.plan.link_tolerance);
+  record.set("extrapolation", summary.plan.extrapolation);
   record.set("estimated_error", summary.error.total());
   record.set("estimated_discretisation_error", summary.error.discretisation);
   record.set("estimated_visibility_error", summary.error.visibility);

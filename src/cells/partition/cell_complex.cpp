@@ -70,6 +70,12 @@ CellId CellComplex::locate(const Vec3& p) const {
   return cell;
 }
 
+CellId CellComplex::outside() const {
+  Box all;
+  for (const Cell& cell : cells_) all.add(cell.bounds);
+  return cells_.empty() ? CellId() : locate(all.hi + all.extent());
+}
+
 std::vector<CellPiece> CellComplex::cut(const Piece& piece) const {
   ENFILADE_CHECK(!nodes_.empty(), "a complex without cells");
   const Vec3 n = normal(piece.polygon);

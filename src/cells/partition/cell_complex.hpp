@@ -67,6 +67,9 @@ class CellComplex {
 
   /// Returns the room or outside that p lies in; none inside a solid and where no cell was kept.
   CellId locate(const Vec3& p) const;
+  /// Returns the cell that lies around the building; none where all rooms are closed. A scene that
+  /// nothing encloses is one cell, a room, which lies around it as well.
+  CellId outside() const;
   /// Cuts a piece at the cells' borders; a piece that lies in one cell is not cut. The complex must
   /// have nodes.
   std::vector<CellPiece> cut(const Piece& piece) const;

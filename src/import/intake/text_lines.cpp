@@ -17,8 +17,6 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 TextLines::TextLines(std::string file, std::string_view bytes)
     : file_(std::move(file)), bytes_(bytes) {
   if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") bytes_.remove_prefix(3);
-  if (bytes_.substr(0, 2) == "\xFE\xFF" || bytes_.substr(0, 2) == "\xFF\xFE")
-    throw InputError(file_, "file", "is UTF-16 text", "save it as UTF-8 or ASCII text");
 }
 
 bool TextLines::next() {

@@ -12,7 +12,6 @@ namespace enfilade {
 /// joins the next one.
 class TextLines {
  public:
-  /// Throws InputError where the text is UTF-16.
   TextLines(std::string file, std::string_view bytes);
 
   /// Moves on to the next line; false at the end.

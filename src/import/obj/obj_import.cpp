@@ -25,7 +25,7 @@ class ObjReader {
   }
 
   Scene read() {
-    TextLines lines(scene_.file, files_.read_model());
+    TextLines lines(scene_.file, files_.read_text(scene_.file, {scene_.file, "file"}));
     while (lines.next()) read_line(lines);
     finish_mesh();
     scene_.hash = files_.hash();

@@ -155,7 +155,7 @@ class LibraryReader {
 
 void read_obj_materials(const std::string& path, ModelFiles& files, const ModelFiles::Place& place,
                         Warnings& warnings, std::map<std::string, ModelMaterial>& materials) {
-  LibraryReader(files, warnings, materials).read(TextLines(path, files.read(path, place)));
+  LibraryReader(files, warnings, materials).read(TextLines(path, files.read_text(path, place)));
 }
 
 }  // namespace enfilade

@@ -238,7 +238,7 @@ std::optional<RadianceDistribution> radiance_distribution(const RadiancePrimitiv
   if (!is_theta(3) && !(words.size() > 4 && is_theta(4))) return {};
   const std::string path = ModelFiles::path_from(pattern.place.file, words[1]);
   const std::string& bytes =
-      files.read(path, {pattern.place.file, "line " + std::to_string(pattern.place.line)});
+      files.read_text(path, {pattern.place.file, "line " + std::to_string(pattern.place.line)});
   const DataTable table = DataReader(path, bytes).read();
   for (const std::vector<double>& axis : table.axes) {
     if (!std::is_sorted(axis.begin(), axis.end()) || axis.front() < -360.0 || axis.back() > 360.0)

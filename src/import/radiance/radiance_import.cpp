@@ -53,7 +53,7 @@ class RadianceReader {
   void read_file(const std::string& path, const ModelFiles::Place& named_at,
                  const RadianceXform& to_world) {
     open_files_.push_back(fs::weakly_canonical(path));
-    RadianceText text(path, files_.read(path, named_at));
+    RadianceText text(path, files_.read_text(path, named_at));
     while (!text.at_end()) {
       if (text.at_command()) {
         const RadiancePlace place = text.place();

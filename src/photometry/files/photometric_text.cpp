@@ -3,45 +3,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "json/text_encoding.hpp"
+
 namespace enfilade {
 namespace {
-
-void append_utf8(std::string& text, std::uint32_t code) {
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0 | (code >> 6));
-    text += static_cast<char>(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0 | (code >> 12));
-    text += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
-    text += static_cast<char>(0x80 | (code & 0x3F));
-  } else {
-    text += static_cast<char>(0xF0 | (code >> 18));
-    text += static_cast<char>(0x80 | ((code >> 12) & 0x3F));
-    text += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
-    text += static_cast<char>(0x80 | (code & 0x3F));
-  }
-}
-
-std::string from_utf16(std::string_view bytes, bool big) {
-  std::string text;
-  std::uint32_t high = 0;
-  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-    const auto a = static_cast<unsigned char>(bytes[i]),
-               b = static_cast<unsigned char>(bytes[i + 1]);
-    const std::uint32_t unit = big ? a * 256u + b : b * 256u + a;
-    if (unit >= 0xD800 && unit < 0xDC00) {
-      high = unit;
-    } else if (unit >= 0xDC00 && unit < 0xE000) {
-      if (high != 0) append_utf8(text, 0x10000 + ((high - 0xD800) << 10) + (unit - 0xDC00));
-      high = 0;
-    } else {
-      append_utf8(text, unit);
-    }
-  }
-  return text;
-}
 
 bool is_utf8(std::string_view text) {
   int more = 0;
@@ -58,20 +23,14 @@ bool is_utf8(std::string_view text) {
   return more == 0;
 }
 
-std::string from_latin1(std::string_view bytes) {
-  std::string text;
-  for (const char c : bytes) append_utf8(text, static_cast<unsigned char>(c));
-  return text;
-}
-
 /// In UTF-16 nearly every other byte of such a file is zero.
-int utf16_without_mark(std::string_view bytes) {
+const char* utf16_without_mark(std::string_view bytes) {
   std::size_t even = 0, odd = 0;
   const std::size_t looked = std::min<std::size_t>(bytes.size(), 512);
   for (std::size_t i = 0; i < looked; ++i)
     if (bytes[i] == '\0') ++(i % 2 == 0 ? even : odd);
-  if (odd * 4 > looked) return 1;
-  return even * 4 > looked ? 2 : 0;
+  if (odd * 4 > looked) return "UTF-16LE";
+  return even * 4 > looked ? "UTF-16BE" : nullptr;
 }
 
 }  // namespace
@@ -79,20 +38,18 @@ int utf16_without_mark(std::string_view bytes) {
 std::string photometric_text(const std::string& bytes, PhotometricReport& report) {
   const std::string_view all(bytes);
   std::string text;
-  const int utf16 = all.substr(0, 2) == "\xFF\xFE"   ? 1
-                    : all.substr(0, 2) == "\xFE\xFF" ? 2
-                                                     : utf16_without_mark(all);
-  if (utf16 != 0) {
+  const char* const mark = utf16_by_mark(all);
+  const char* const utf16 = mark != nullptr ? mark : utf16_without_mark(all);
+  if (utf16 != nullptr) {
     report.warn("is UTF-16: read so; these formats are plain text (ASCII)");
-    const bool marked = all.substr(0, 2) == "\xFF\xFE" || all.substr(0, 2) == "\xFE\xFF";
-    text = from_utf16(all.substr(marked ? 2 : 0), utf16 == 2);
+    text = in_utf8(all.substr(mark != nullptr ? 2 : 0), utf16);
   } else if (all.substr(0, 3) == "\xEF\xBB\xBF") {
     report.warn("begins with a byte order mark (UTF-8): passed over");
     text = bytes.substr(3);
   } else {
     text = bytes;
   }
-  if (!is_utf8(text)) text = from_latin1(text);
+  if (!is_utf8(text)) text = in_utf8(text, "ISO-8859-1");
   if (const std::size_t end = text.find('\x1A'); end != std::string::npos) text.resize(end);
   std::erase(text, '\0');
   return text;

@@ -83,7 +83,7 @@ void check_camera(Camera& camera, const std::string& file, const std::string& wh
 }
 
 std::vector<Camera> read_cameras(const std::string& path) {
-  const Json json = parse_json(read_bytes(path), path);
+  const Json json = parse_json(read_text(path), path);
   if (!json.is_object() || !json.contains("cameras") || !json["cameras"].is_array()) {
     refuse(path, "cameras", "a list is expected");
   }

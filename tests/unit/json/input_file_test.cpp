@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string fault(const std::string& path) {
   try {
-    read_bytes(path);
+    read_text(path);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -59,7 +59,7 @@ TEST(InputFile, APipeIsReadToItsEndHoweverSlowItsWriter) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   });
-  EXPECT_EQ(read_bytes(fifo.path), "part0part1part2");
+  EXPECT_EQ(read_text(fifo.path), "part0part1part2");
   writer.join();
 }
 

@@ -14,7 +14,7 @@ std::string answered(const std::string& table, std::vector<Probe>* probes = null
       file.probes.size(), {Spectrum{12.5}, Spectrum{0.5}, {}, {{"desk; left", Spectrum{2.5}}}});
   write_probe_answers(file, folder.file("answers.csv"), answers, "gather",
                       ExitanceUnit::lumen_per_m2);
-  return read_bytes(folder.file("answers.csv"));
+  return read_text(folder.file("answers.csv"));
 }
 
 TEST(ProbeTableFile, KeepsItsSeparatorAndDecimalSign) {
@@ -23,6 +23,8 @@ TEST(ProbeTableFile, KeepsItsSeparatorAndDecimalSign) {
             "x;y;z;who;E;error;unit;from;\"E by desk; left\"\n"
             "1,5;2;0,75;\"a; b\";12,5;0,5;lx;gather;2,5\n");
   EXPECT_EQ(probes[0].p, Vec3(1.5, 2, 0.75));
+  EXPECT_EQ(answered("sep=;\r\nx;y;z\r\n1,5;2;0,75\r\n"),
+            "x;y;z;E;error;unit;from;\"E by desk; left\"\n1,5;2;0,75;12,5;0,5;lx;gather;2,5\n");
   EXPECT_EQ(answered("# points\n1.5;2;0.75\n"),
             "x;y;z;E;error;unit;from;\"E by desk; left\"\n1.5;2;0.75;12.5;0.5;lx;gather;2.5\n");
   EXPECT_EQ(answered("x\ty\tz\n1.5\t2\t0.75\n", &probes),
