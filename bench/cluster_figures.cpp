@@ -1,8 +1,7 @@
 #include "cluster_figures.hpp"
 
 #include "hierarchy/cluster_state.hpp"
-#include "run/manifest.hpp"
-#include "run/section_file.hpp"
+#include "run/solution.hpp"
 
 namespace enfilade::bench {
 
@@ -11,19 +10,12 @@ namespace {
 ClusterFigures of_files(const RunLayout& layout, const Manifest& manifest) {
   ClusterFigures figures;
   figures.solved = true;
-  const std::string common = layout.common();
+  const SolutionReader solution(layout, manifest);
   for (std::size_t c = 0; c < manifest.clusters; ++c) {
-    const ClusterId id(c);
-    const SectionFile geometry =
-        read_section(RunLayout::geometry(common, id), {id, Section::geometry, 0, manifest.run});
-    const SectionFile patches = read_section(
-        RunLayout::patches(common, id, manifest.slot()),
-        {id, Section::patches, static_cast<std::uint32_t>(manifest.iteration), manifest.run});
-    const LinksPlace& at = patches.info.links;
-    const SectionFile links = read_section(RunLayout::links(common, id, at.slot),
-                                           {id, Section::links, at.iteration, manifest.run});
-    figures.bytes.push_back(geometry.bytes.size() + patches.bytes.size());
-    figures.work.push_back(static_cast<double>(links.info.count.links));
+    const ClusterState state = solution.read(ClusterId(c), true);
+    figures.bytes.push_back(state.bytes_of(Section::geometry).size() +
+                            state.bytes_of(Section::patches).size());
+    figures.work.push_back(static_cast<double>(state.links().size()));
   }
   return figures;
 }

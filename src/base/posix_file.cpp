@@ -4,11 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -76,17 +78,19 @@ void write_all(int fd, const std::string& path, std::span<const std::byte> bytes
   }
 }
 
-std::vector<std::byte> read_file(const std::string& path) {
+std::vector<std::byte> read_part(const std::string& path, std::uint64_t offset, std::size_t most) {
   // O_NONBLOCK: a pipe in the file's place would wait for its writer.
   const Descriptor file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, "cannot be read");
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "cannot be read", errno);
   if (!S_ISREG(info.st_mode))
     throw RunError(path + ": is no file; remove it, then prepare the run again");
-  std::vector<std::byte> bytes(static_cast<std::size_t>(info.st_size));
+  const auto size = static_cast<std::uint64_t>(info.st_size);
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(most, size - std::min(size, offset)));
   std::size_t have = 0;
   while (have < bytes.size()) {
-    const ssize_t n = ::read(file.get(), bytes.data() + have, bytes.size() - have);
+    const ssize_t n = ::pread(file.get(), bytes.data() + have, bytes.size() - have,
+                              static_cast<off_t>(offset + have));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail(path, "cannot be read", errno);
     if (n == 0) break;
@@ -94,6 +98,10 @@ std::vector<std::byte> read_file(const std::string& path) {
   }
   bytes.resize(have);
   return bytes;
+}
+
+std::vector<std::byte> read_file(const std::string& path) {
+  return read_part(path, 0, std::numeric_limits<std::size_t>::max());
 }
 
 void write_file(const std::string& path, std::span<const std::byte> head,

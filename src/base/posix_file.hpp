@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@ namespace enfilade {
 
 /// Returns all bytes of a regular file. Throws RunError, for anything else as well.
 std::vector<std::byte> read_file(const std::string& path);
+/// Returns the bytes of a regular file from `offset` on: `most` of them, or as many as there are.
+/// Throws RunError.
+std::vector<std::byte> read_part(const std::string& path, std::uint64_t offset, std::size_t most);
 /// Replaces a file by `head` followed by `body`, not atomically: for files that no other process
 /// reads yet. A symbolic link is refused, not followed. Throws RunError.
 void write_file(const std::string& path, std::span<const std::byte> head,

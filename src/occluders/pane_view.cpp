@@ -62,9 +62,17 @@ void cut_by_one(const std::vector<Plane>& shadow, std::uint32_t pane, double tol
 
 class Dimming {
  public:
-  Dimming(const Vec3& x, const Vec3& n, const Occluders& occluders, std::vector<DimmedPart>& parts)
-      : x_(x), n_(n), occluders_(occluders), parts_(parts) {}
+  Dimming(const Vec3& x, const Vec3& n, const Occluders& occluders, double negligible,
+          std::vector<DimmedPart>& parts)
+      : x_(x), n_(n), occluders_(occluders), negligible_(negligible), parts_(parts) {}
 
+  void add(const Polygon& polygon, std::span<const std::uint32_t> panes) {
+    normals_.clear();
+    for (const std::uint32_t pane : panes) normals_.push_back(normal(occluders_.polygon(pane)));
+    add(polygon, panes, 0);
+  }
+
+ private:
   void add(const Polygon& polygon, std::span<const std::uint32_t> panes, int halvings) {
     const double factor = point_to_polygon(x_, n_, polygon);
     if (factor <= 0.0) return;
@@ -78,8 +86,8 @@ class Dimming {
       least = std::min(least, share);
       most = std::max(most, share);
     }
-    if (most - least > most_passage_variation * most && halvings < most_pane_halvings &&
-        factor > least_pane_factor) {
+    if (most - least > most_passage_variation * most && (most - least) * factor > negligible_ &&
+        halvings < most_pane_halvings && factor > least_pane_factor) {
       const auto [first, second] = halves(polygon);
       if (first.size() >= 3 && second.size() >= 3) {
         add(first, panes, halvings + 1);
@@ -90,12 +98,11 @@ class Dimming {
     parts_.push_back({polygon, factor, mean(polygon, panes)});
   }
 
- private:
   Passage passage(const Vec3& y, std::span<const std::uint32_t> panes) const {
     Passage passed;
     const Vec3 d = glm::normalize(y - x_);
-    for (const std::uint32_t pane : panes)
-      occluders_.panes().dim(passed, pane, glm::dot(d, normal(occluders_.polygon(pane))));
+    for (std::size_t i = 0; i < panes.size(); ++i)
+      occluders_.panes().dim(passed, panes[i], glm::dot(d, normals_[i]));
     return passed;
   }
 
@@ -133,14 +140,16 @@ class Dimming {
 
   const Vec3 x_, n_;
   const Occluders& occluders_;
+  double negligible_;
   std::vector<DimmedPart>& parts_;
+  std::vector<Vec3> normals_;  ///< of the panes
 };
 
 }  // namespace
 
 void cut_by_panes(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon,
                   std::span<const std::uint32_t> panes, const Occluders& occluders,
-                  std::vector<DimmedPart>& parts) {
+                  std::vector<DimmedPart>& parts, double negligible) {
   parts.clear();
   std::vector<Seen> seen{{Polygon(polygon.begin(), polygon.end()), {}}};
   for (const std::uint32_t pane : panes) {
@@ -148,8 +157,8 @@ void cut_by_panes(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon,
     const std::vector<Plane> shadow = shadow_of(x, occluders.polygon(pane), tolerance_m);
     if (!shadow.empty()) cut_by_one(shadow, pane, tolerance_m, seen);
   }
-  Dimming dimming(x, n, occluders, parts);
-  for (const Seen& part : seen) dimming.add(part.polygon, part.panes, 0);
+  Dimming dimming(x, n, occluders, negligible, parts);
+  for (const Seen& part : seen) dimming.add(part.polygon, part.panes);
 }
 
 double cut_by_panes(const Vec3& x, const Vec3& n, const VisibleParts& visible,

@@ -19,10 +19,11 @@ struct DimmedPart {
 
 /// Cuts a convex polygon, as x with unit normal n sees it, along the outlines of the panes (global
 /// numbers) and then until what passes varies little within each part: the mean is one by
-/// quadrature. `tolerance_m` as of VisibleParts. Replaces `parts`.
+/// quadrature. A part is not cut where the variation times its form factor is less than
+/// `negligible`: of a polygon that is one of many. Replaces `parts`.
 void cut_by_panes(const Vec3& x, const Vec3& n, std::span<const Vec3> polygon,
                   std::span<const std::uint32_t> panes, const Occluders& occluders,
-                  std::vector<DimmedPart>& parts);
+                  std::vector<DimmedPart>& parts, double negligible = 0.0);
 
 /// The same for all of `visible`, as seen from x; returns the form factor of what passes.
 double cut_by_panes(const Vec3& x, const Vec3& n, const VisibleParts& visible,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "run/manifest.hpp"
-#include "run/run_layout.hpp"
+#include "run/sections/run_layout.hpp"
 #include "solver/iteration_plan.hpp"
 
 namespace enfilade {

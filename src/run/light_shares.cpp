@@ -11,7 +11,6 @@
 #include "base/hash_text.hpp"
 #include "base/posix_file.hpp"
 #include "json/sealed_json.hpp"
-#include "run/section_file.hpp"
 #include "shares/share_scene.hpp"
 
 namespace enfilade {
@@ -27,11 +26,6 @@ std::string index_path(const std::string& run_directory) {
   return directory_of(run_directory) + "/shares.json";
 }
 
-std::string file_of(const std::string& run_directory, ClusterId id, std::size_t number) {
-  return directory_of(run_directory) + "/" + RunLayout::stem(id) + ".shares-" +
-         std::to_string(number);
-}
-
 /// Names the shares of a run in their files: a file of other groups is refused.
 std::uint64_t name_of_shares(const Manifest& manifest, const ShareIndex& index) {
   ByteWriter w;
@@ -41,9 +35,10 @@ std::uint64_t name_of_shares(const Manifest& manifest, const ShareIndex& index) 
   return checksum(w.bytes());
 }
 
-SectionPlace place_of(const Manifest& manifest, const ShareIndex& index, ClusterId id) {
-  return {id, Section::patches, static_cast<std::uint32_t>(manifest.iteration),
-          name_of_shares(manifest, index)};
+/// The files of the shares from group `first` on.
+SegmentKind kind_of(const Manifest& manifest, const ShareIndex& index, std::size_t first) {
+  return {"shares-" + std::to_string(first / index.per_file), Section::patches,
+          static_cast<std::uint32_t>(manifest.iteration), name_of_shares(manifest, index)};
 }
 
 ShareIndex index_from(const nlohmann::ordered_json& json) {
@@ -58,26 +53,37 @@ ShareIndex index_from(const nlohmann::ordered_json& json) {
   return index;
 }
 
-/// One file of a cluster; what is wrong with it is mended by finding the shares again.
-std::vector<std::byte> share_bytes(const std::string& path, const SectionPlace& place) {
+/// What is wrong with the files is mended by finding the shares again.
+template <class Read>
+auto with_remedy(const Read& read) {
   try {
-    return read_section(path, place).bytes;
+    return read();
   } catch (const RunError& error) {
     const std::string what = error.what();
     throw RunError(what.substr(0, what.rfind("; ")) + "; " + shares_remedy);
   }
 }
 
+/// All files of shares, by their number.
+std::vector<SegmentIndex> share_segments(const std::string& run_directory, const Manifest& manifest,
+                                         const ShareIndex& index) {
+  std::vector<SegmentIndex> segments;
+  for (std::size_t first = 0; first < index.names.size(); first += index.per_file)
+    segments.emplace_back(directory_of(run_directory), kind_of(manifest, index, first),
+                          manifest.clusters);
+  return segments;
+}
+
 /// Reads the irradiance of a cluster's leaves by all shares into the bands after the lead bands.
-void read_leaves(const std::string& run_directory, const Manifest& manifest,
-                 const ShareIndex& index, ClusterState& wide) {
+void read_leaves(std::span<const SegmentIndex> segments, const ShareIndex& index,
+                 ClusterState& wide) {
   PatchForest& patches = wide.patches();
   const auto lead = static_cast<std::size_t>(patches.lead_bands() * patches.terms());
   const std::size_t shares = index.names.size();
-  for (std::size_t first = 0; first < shares; first += index.per_file) {
-    const std::string path = file_of(run_directory, wide.id(), first / index.per_file);
-    const auto bytes = share_bytes(path, place_of(manifest, index, wide.id()));
-    ByteReader reader(bytes, path);
+  for (std::size_t number = 0; number < segments.size(); ++number) {
+    const std::size_t first = number * index.per_file;
+    const SectionFile file = segments[number].read(wide.id());
+    ByteReader reader(file.bytes, "shares");
     const std::vector<float> values = reader.get_all<float>();
     const std::size_t width = std::min(index.per_file, shares - first) * lead;
     std::size_t at = 0;
@@ -86,8 +92,10 @@ void read_leaves(const std::string& run_directory, const Manifest& manifest,
       double* to = patches.irradiance(n).data() + (1 + first) * lead;
       for (std::size_t i = 0; i < width; ++i) to[i] = values[at++];
     }
-    if (at != values.size() || (patches.size() + patches.polygons()) / 2 * width != at)
-      throw RunError(path + ": is of other patches; " + shares_remedy);
+    if (at != values.size() || (patches.size() + patches.polygons()) / 2 * width != at) {
+      throw RunError("shares of cluster " + std::to_string(wide.id().value) +
+                     ": are of other patches; " + shares_remedy);
+    }
   }
 }
 
@@ -122,8 +130,11 @@ void copy_leaves(const PatchForest& from, PatchForest& to) {
 
 }  // namespace
 
-void write_cluster_shares(const std::string& run_directory, const Manifest& manifest,
-                          const ShareIndex& index, std::size_t first, const ClusterState& wide) {
+ShareWriter::ShareWriter(const std::string& run_directory, const Manifest& manifest,
+                         const ShareIndex& index, std::size_t first, Rank rank)
+    : segment_(directory_of(run_directory), kind_of(manifest, index, first), rank) {}
+
+void ShareWriter::put(const ClusterState& wide) {
   const PatchForest& patches = wide.patches();
   const auto lead = static_cast<std::size_t>(patches.lead_bands() * patches.terms());
   std::vector<float> values;
@@ -135,9 +146,10 @@ void write_cluster_shares(const std::string& run_directory, const Manifest& mani
   ByteWriter writer;
   writer.put_all(values);
   SectionInfo info;
-  info.place = place_of(manifest, index, wide.id());
+  const SegmentKind& kind = segment_.kind();
+  info.place = {wide.id(), kind.section, kind.iteration, kind.run};
   info.count.patches = patches.size();
-  write_section(file_of(run_directory, wide.id(), first / index.per_file), info, writer.bytes());
+  segment_.put(info, writer.bytes());
 }
 
 void write_share_index(const std::string& run_directory, const Manifest& manifest,
@@ -172,12 +184,8 @@ bool has_whole_shares(const std::string& run_directory, std::size_t clusters) {
     const std::optional<ShareIndex> index = read_share_index(run_directory);
     if (!index) return false;
     const Manifest manifest = committed_manifest(RunLayout(run_directory));
-    for (std::size_t i = 0; i < clusters; ++i) {
-      const ClusterId id(i);
-      for (std::size_t first = 0; first < index->names.size(); first += index->per_file) {
-        share_bytes(file_of(run_directory, id, first / index->per_file),
-                    place_of(manifest, *index, id));
-      }
+    for (const SegmentIndex& segment : share_segments(run_directory, manifest, *index)) {
+      for (std::size_t i = 0; i < clusters; ++i) segment.read(ClusterId(i));
     }
     return true;
   } catch (const RunError&) {
@@ -215,12 +223,14 @@ LightShares read_light_shares(const std::string& run_directory, const Prepared& 
   if (names != index->names)
     throw RunError(index_path(run_directory) + ": is of other lights; " + shares_remedy);
   shares.scene = share_scene(prepared.scene, shares.groups);
+  const std::vector<SegmentIndex> segments =
+      with_remedy([&] { return share_segments(run_directory, manifest, *index); });
   for (const ClusterState& whole : solution) {
     ClusterState& wide = shares.clusters.emplace_back(
         same_patches(whole, prepared.clusters[whole.id().index()], shares.scene));
     PatchForest& patches = wide.patches();
     copy_leaves(whole.patches(), patches);
-    read_leaves(run_directory, manifest, *index, wide);
+    with_remedy([&] { read_leaves(segments, *index, wide); });
     const auto terms = static_cast<std::size_t>(patches.terms());
     for (std::size_t n = 0; n < patches.size(); ++n) {
       if (patches.node(n).leaf()) complete_leaf(patches.irradiance(n), shares.bands * terms, terms);

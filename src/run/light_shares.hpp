@@ -11,7 +11,7 @@
 #include "hierarchy/cluster_state.hpp"
 #include "preparation/preparation.hpp"
 #include "run/manifest.hpp"
-#include "run/run_layout.hpp"
+#include "run/sections/segment_file.hpp"
 #include "shares/share_groups.hpp"
 
 namespace enfilade {
@@ -19,7 +19,7 @@ namespace enfilade {
 /// RUN/shares/shares.json: whose shares there are, and how they were found.
 struct ShareIndex {
   std::vector<std::string> names;  ///< of the groups, as share_groups() has them
-  std::size_t per_file = 1;        ///< shares in each file of a cluster; the last has the rest
+  std::size_t per_file = 1;        ///< shares in each file; the last has the rest
   int iterations = 0;
   bool converged = true;
   /// Sum of all shares less the whole light, before the sum is made the whole: area-weighted L1,
@@ -28,10 +28,20 @@ struct ShareIndex {
   double solve_s = 0.0;
 };
 
-/// Writes the shares' light of one cluster into RUN/shares: `wide` is of a share_scene() of the
-/// groups first .. first + its number of shares.
-void write_cluster_shares(const std::string& run_directory, const Manifest& manifest,
-                          const ShareIndex& index, std::size_t first, const ClusterState& wide);
+/// Writes a rank's part of the shares' light into RUN/shares.
+class ShareWriter {
+ public:
+  /// Of the groups from `first` on, as many as one file holds.
+  ShareWriter(const std::string& run_directory, const Manifest& manifest, const ShareIndex& index,
+              std::size_t first, Rank rank);
+  /// `wide` is of a share_scene() of these groups.
+  void put(const ClusterState& wide);
+  void end() { segment_.end(); }
+
+ private:
+  SegmentWriter segment_;
+};
+
 /// Written last: makes the files of all clusters valid.
 void write_share_index(const std::string& run_directory, const Manifest& manifest,
                        const ShareIndex& index);

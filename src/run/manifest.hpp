@@ -9,7 +9,7 @@
 
 #include "coarse/coarse_unknowns.hpp"
 #include "hierarchy/cluster_state.hpp"
-#include "run/run_layout.hpp"
+#include "run/sections/run_layout.hpp"
 #include "solver/building_field.hpp"
 
 namespace enfilade {
@@ -32,9 +32,6 @@ struct Manifest {
   /// The coarse correction of this iteration's light, [unknown * bands + band]; may be empty.
   std::vector<double> correction;
   CoarseUnknowns unknowns;  ///< which unknowns of the correction belong to which cluster
-
-  /// Returns the slot that this iteration's patches lie in.
-  Slot slot() const { return iteration % 2 == 0 ? Slot::a : Slot::b; }
 };
 
 /// Reads the manifest; none where RUN holds no solution. Throws RunError for a manifest that is

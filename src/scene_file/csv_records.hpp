@@ -21,8 +21,8 @@ struct CsvTable {
 /// Returns the records of `text`, which must outlive them; blank lines and lines that begin with #
 /// are left out. Quoted fields may hold separators, line breaks, and quotes written twice. Fields
 /// are separated by what stands in the first record: by semicolons or tabs, as spreadsheets write
-/// where the comma is the decimal sign, else by commas; or by what a first line `sep=;` tells. Throws InputError where a quote is not
-/// closed.
+/// where the comma is the decimal sign, else by commas; or by what a first line `sep=;` tells.
+/// Throws InputError where a quote is not closed.
 CsvTable csv_table(std::string_view text, const std::string& path);
 
 /// Returns how errors name a field: `line 3, column 2 "y"`; `name` may be empty.

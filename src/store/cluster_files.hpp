@@ -5,7 +5,7 @@
 #include <compare>
 #include <vector>
 
-#include "run/section_file.hpp"
+#include "run/sections/section_file.hpp"
 #include "store/cluster_source.hpp"
 
 namespace enfilade {

@@ -1,10 +1,12 @@
-// A rank's clusters as files: reads from the common directory, writes to the rank's local one,
-// moves the files over at the end of an iteration (§3.2, figure 2).
+// A rank's clusters in segments: reads from the common directory, writes to the rank's local one,
+// moves the segments over at the end of an iteration (§3.2, figure 2).
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "run/run_layout.hpp"
+#include "run/sections/run_layout.hpp"
+#include "run/sections/segment_file.hpp"
 #include "store/cluster_files.hpp"
 #include "store/section_charges.hpp"
 
@@ -26,9 +28,12 @@ class ClusterStore final : public ClusterFiles {
 
   /// Writes a cluster as the state before the first iteration, straight into the common directory.
   /// That is the end of the preparation, not part of the run: it is neither charged nor counted.
+  /// Others can read it after end_initial().
   void write_initial(const ClusterState& state);
+  void end_initial();
 
-  void set_committed(int iteration) override { committed_ = iteration; }
+  /// Rank 0 removes links that this iteration has replaced.
+  void set_committed(int iteration) override;
   int committed() const override { return committed_; }
   /// True where this rank has gathered for the cluster in this iteration.
   bool written(ClusterId id) const override { return charges_.written(id); }
@@ -40,17 +45,23 @@ class ClusterStore final : public ClusterFiles {
   const RunLayout& layout() const { return layout_; }
 
  private:
-  Slot committed_slot() const { return committed_ % 2 == 0 ? Slot::a : Slot::b; }
-  /// Returns the file of a cluster's patches or links in this iteration.
-  std::string path_of(const std::string& directory, ClusterId id, Section section) const;
+  SegmentKind kind(Section section, std::uint32_t iteration) const;
+  const SegmentIndex& index_of(Section section);
+  SectionFile read_links(ClusterId id);
 
   RunLayout layout_;
   std::string local_directory_;
+  Rank rank_;
   Machine& machine_;
   SectionCharges charges_;
   std::uint64_t run_ = 0;
   int committed_ = 0;
-  std::vector<LinksPlace> links_;  ///< the newest ones, by cluster
+  std::vector<SegmentPlace> own_patches_;  ///< by cluster: those written in this iteration
+  std::vector<LinksPlace> links_;          ///< the newest ones, by cluster
+  /// Of the iteration under way, in the local directory; at first of the initial state, in common.
+  std::unique_ptr<SegmentWriter> geometry_writer_, patches_writer_, links_writer_;
+  /// Once they are asked for: what lies in common, the patches of the committed iteration.
+  std::unique_ptr<SegmentIndex> geometry_, patches_;
 };
 
 }  // namespace enfilade

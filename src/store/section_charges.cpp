@@ -31,14 +31,10 @@ bool SectionCharges::links_written(ClusterId id) const {
   return found != local_.end() && found->second.links;
 }
 
-void SectionCharges::move_to_common(const std::function<void(ClusterId, Section)>& move) {
+void SectionCharges::move_to_common() {
   const PhaseScope phase(machine_, Phase::commit);
   for (const auto& [id, local] : local_) {
-    if (local.links) {
-      move(id, Section::links);
-      machine_.move_to_common(id.value, local.links_bytes);
-    }
-    move(id, Section::patches);
+    if (local.links) machine_.move_to_common(id.value, local.links_bytes);
     machine_.move_to_common(id.value, local.patches_bytes);
   }
   for (const auto& [id, local] : local_) written_[id.index()] = 0;

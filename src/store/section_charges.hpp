@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -30,8 +29,8 @@ class SectionCharges {
   bool written(ClusterId id) const { return written_[id.index()] != 0; }
   /// True where its links have been written since then.
   bool links_written(ClusterId id) const;
-  /// For all sections written, in the order of the clusters: calls `move`, then charges.
-  void move_to_common(const std::function<void(ClusterId, Section)>& move);
+  /// Charges moving all sections written, in the order of the clusters.
+  void move_to_common();
 
   const StoreCount& count() const { return count_; }
 

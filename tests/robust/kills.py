@@ -27,7 +27,7 @@ from runs import answers, run, solve
 
 GENERATE = ("--floors", "1", "--seed", "3", "--furniture", "lamp=16,chair=4", "--probes", "true")
 # Which paths in RUN are written within an iteration, and within a commit.
-PLACES = {"an iteration": "/cluster-", "a commit": "/common/manifest"}
+PLACES = {"an iteration": "/rank-", "a commit": "/common/manifest"}
 MOMENT = "a moment"
 # How the runs of a trial solve, by turns: on which numbers of ranks, and by which options. Jacobi's method gives the same
 # light on any number of ranks but for the order of sums; the first two ways fix that as well.

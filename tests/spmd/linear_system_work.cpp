@@ -15,6 +15,11 @@ std::vector<double> doubles(std::span<const std::byte> bytes) {
   return values;
 }
 
+SegmentKind patches_of(int iteration) {
+  return {RunLayout::patches(RunLayout::slot_of(iteration)), Section::patches,
+          static_cast<std::uint32_t>(iteration), 0};
+}
+
 RecordCount record_of(std::size_t values) {
   RecordCount count;
   count.patches = values;
@@ -81,12 +86,14 @@ LinearSystemWork::LinearSystemWork(const LinearSystem& system, const RunLayout& 
 void LinearSystemWork::initialise() {
   make_directory(layout_.common());
   remove_manifest(layout_);
+  remove_segments(layout_.common());
+  SegmentWriter writer(layout_.common(), patches_of(0), Rank{0});
   for (std::size_t i = 0; i < system_.blocks; ++i) {
     const ClusterId id(i);
     const std::span<const double> b(system_.b.data() + i * system_.block_size, system_.block_size);
-    write_section(RunLayout::patches(layout_.common(), id, Slot::a),
-                  {{id, Section::patches}, {}, record_of(b.size())}, std::as_bytes(b));
+    writer.put({{id, Section::patches}, {}, record_of(b.size())}, std::as_bytes(b));
   }
+  writer.end();
   commit({}, {}, false);
 }
 
@@ -137,13 +144,10 @@ void LinearSystemWork::commit(const std::vector<IterationSummary>& history, std:
 std::vector<double> LinearSystemWork::committed(const LinearSystem& system,
                                                 const RunLayout& layout) {
   const Manifest manifest = read_manifest(layout).value();
+  const SegmentIndex index(layout.common(), patches_of(manifest.iteration), system.blocks);
   std::vector<double> x;
   for (std::size_t i = 0; i < system.blocks; ++i) {
-    const ClusterId id(i);
-    const auto file =
-        read_section(RunLayout::patches(layout.common(), id, manifest.slot()),
-                     {id, Section::patches, static_cast<std::uint32_t>(manifest.iteration)});
-    const std::vector<double> v = doubles(file.bytes);
+    const std::vector<double> v = doubles(index.read(ClusterId(i)).bytes);
     x.insert(x.end(), v.begin(), v.end());
   }
   return x;

@@ -23,9 +23,7 @@ class RecordedClusters final : public ClusterSource<RecordedCluster> {
                                                 const RecordedCluster* known) override;
   void read_links(RecordedCluster& cluster) override;
   SectionBytes write(const RecordedCluster& cluster, bool links_changed) override;
-  void move_to_common() override {
-    charges_.move_to_common([](ClusterId, Section) {});
-  }
+  void move_to_common() override { charges_.move_to_common(); }
 
   const StoreCount& count() const { return charges_.count(); }
 

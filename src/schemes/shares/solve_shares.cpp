@@ -162,6 +162,7 @@ struct ShareRun {
   const SolveConfig& config;
   const RunLayout& layout;
   const Manifest& manifest;
+  const SolutionReader& solution;
   const std::vector<ClusterId>& own;
   Communicator& communicator;
   Machine& machine;
@@ -197,13 +198,14 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
                      {config.gather, config.method, run.manifest.hierarchy, memory,
                       config.memory_manager, run.manifest.run});
   for (const ClusterId id : run.own) {
-    const ClusterState whole = read_cluster(run.layout, run.manifest, id, true);
+    const ClusterState whole = run.solution.read(id, true);
     if (first == 0) remainder.begin(whole);
     ClusterState wide = with_shares(whole, prepared.clusters[id.index()], prepared.scene);
     store.write_initial(wide);
     recorder.add_start(wide);
     work.adopt(std::move(wide));
   }
+  store.end_initial();
   recorder.write(0);
   run.communicator.barrier();
   run.communicator.on_root([&] { work.commit({}, {}, false); });
@@ -229,12 +231,14 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
   index.converged = index.converged && end.converged;
   scheme->files().set_committed(end.iteration - 1);
   const bool is_last = first + index.per_file >= index.names.size();
+  ShareWriter writer(run.layout.run, run.manifest, index, first, run.communicator.rank());
   for (std::size_t i = 0; i < run.own.size(); ++i) {
     const auto wide = scheme->files().read_shooter(run.own[i], Light::committed, nullptr);
     remainder.take(i, *wide);
     if (is_last) remainder.add(i, *wide);
-    write_cluster_shares(run.layout.run, run.manifest, index, first, *wide);
+    writer.put(*wide);
   }
+  writer.end();
   run.communicator.barrier();
 }
 
@@ -263,7 +267,8 @@ ShareIndex solve_shares(const SolveConfig& config, Prepared& prepared, Communica
   for (const ShareGroup& group : groups) index.names.push_back(group.name);
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
-  const ShareRun run{config, layout, manifest, own, communicator, machine, progress};
+  const SolutionReader solution(layout, manifest);
+  const ShareRun run{config, layout, manifest, solution, own, communicator, machine, progress};
   Remainder remainder(bands);
   const Scene scene = std::move(prepared.scene);
   for (std::size_t first = 0; first < groups.size(); first += index.per_file) {

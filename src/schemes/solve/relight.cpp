@@ -95,12 +95,13 @@ std::vector<std::uint32_t> bands_before(const Scene& now, const Scene& before) {
 }
 
 RelitClusters::RelitClusters(const Relight& relight, const Prepared& prepared)
-    : relight_(relight), prepared_(prepared), layout_(relight.from) {
-  const std::optional<Manifest> manifest = read_manifest(layout_);
+    : relight_(relight), prepared_(prepared) {
+  const RunLayout layout(relight.from);
+  const std::optional<Manifest> manifest = read_manifest(layout);
   if (!manifest || manifest->clusters != prepared.clusters.size()) {
-    throw RunError(layout_.manifest() + ": is of other clusters; solve without --relight");
+    throw RunError(layout.manifest() + ": is of other clusters; solve without --relight");
   }
-  manifest_ = *manifest;
+  solution_.emplace(layout, *manifest);
 }
 
 LinkSet RelitClusters::links_of(const ClusterState& old) const {
@@ -139,7 +140,7 @@ LinkSet RelitClusters::links_of(const ClusterState& old) const {
 
 ClusterState RelitClusters::make(ClusterState initial) const {
   const ClusterId id = initial.id();
-  const ClusterState old = read_cluster(layout_, manifest_, id, true);
+  const ClusterState old = solution_->read(id, true);
   for (std::size_t k = 0; k < old.patches().polygons(); ++k) {
     if (old.patches().unreachable(k) && !initial.patches().unreachable(k)) return initial;
   }

@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "run/manifest.hpp"
 #include "run/prepare.hpp"
-#include "run/run_layout.hpp"
+#include "run/solution.hpp"
 
 namespace enfilade {
 
@@ -46,8 +46,7 @@ class RelitClusters {
 
   const Relight& relight_;
   const Prepared& prepared_;
-  RunLayout layout_;
-  Manifest manifest_;
+  std::optional<SolutionReader> solution_;  ///< the one before
 };
 
 }  // namespace enfilade

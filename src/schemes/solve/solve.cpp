@@ -54,16 +54,25 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
   return manifest;
 }
 
+/// Leaves in RUN/common what the committed iteration needs: what an iteration that was not
+/// committed has left, perhaps by ranks that are no more, would be taken for the next one's.
+void clear_common(const RunLayout& layout, const std::optional<Manifest>& committed) {
+  if (committed) {
+    remove_segments(layout.common(),
+                    RunLayout::patches(RunLayout::slot_of(committed->iteration + 1)));
+    return;
+  }
+  make_directory(layout.common());
+  remove_manifest(layout);
+  remove_segments(layout.common());
+}
+
 /// Writes RUN/common as it is before the first iteration. Each rank makes the files of the clusters
 /// that it is assigned, and keeps those clusters in memory where it is going to gather for them.
 void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
                 RadiosityWork& work, CostRecorder& recorder) {
   const Prepared& prepared = p.prepared;
-  p.communicator.on_root([&] {
-    make_directory(p.store.layout().common());
-    remove_manifest(p.store.layout());
-    drop_costs(p.store.layout().run, -1);
-  });
+  p.communicator.on_root([&] { drop_costs(p.store.layout().run, -1); });
   WorkCount count;
   const InitialClusters initial(prepared.scene, prepared.clusters, work.occluders(),
                                 work.unknowns(), basis, count);
@@ -77,6 +86,7 @@ void start_anew(const SchemeParts& p, const ParallelScheme& scheme, Basis basis,
     recorder.add_start(state);
     if (scheme.gathers_for_its_own()) work.adopt(std::move(state));
   }
+  p.store.end_initial();
   recorder.write(0);
   p.communicator.barrier();
   p.communicator.on_root([&] { work.commit({}, {}, false); });
@@ -113,6 +123,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const Basis basis =
       manifest ? manifest->basis : config.gather.basis;  // a resumed solution keeps its basis
 
+  communicator.on_root([&] { clear_common(layout, manifest); });  // before the others go on
   const std::vector<ClusterId> own =
       clusters_of(agree_on_owners(prepared, config, communicator), communicator.rank());
   const VisibilityCost cost = tour_cost(prepared, basis, memory);

@@ -56,6 +56,16 @@ void expect_same_area(const Cut& cut) {
   for (const auto& [key, difference] : area) EXPECT_NEAR(difference, 0.0, 1e-9);
 }
 
+TEST(UnreachableParts, WithoutStepsLeftAllIsReachableAndWhole) {
+  plan::Plan plan = room();
+  plan.box({1, 1, -0.01}, {1.8, 1.6, 0.9}, false);
+  UnreachableConfig config;
+  config.free_steps = config.steps_per_piece = 0;
+  const Cut result = cut(lit(plan), config);
+  EXPECT_EQ(result.after.size(), result.before.size());
+  for (const CellPiece& piece : result.after) EXPECT_FALSE(piece.unreachable);
+}
+
 TEST(UnreachableParts, FloorUnderABoxIsUnreachableAndSeparate) {
   // Coplanar with the floor, and sunk 1 cm into it.
   for (const double bottom : {0.0, -0.01}) {

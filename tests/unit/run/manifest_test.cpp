@@ -31,7 +31,6 @@ TEST(Manifest, ComesBackAsCommitted) {
   commit_manifest(layout, m);
   const Manifest back = read_manifest(layout).value();
   EXPECT_EQ(back.iteration, 3);
-  EXPECT_EQ(back.slot(), Slot::b);
   EXPECT_EQ(back.clusters, 13u);
   EXPECT_EQ(back.basis, Basis::linear);
   EXPECT_EQ(back.scene_hash, m.scene_hash);

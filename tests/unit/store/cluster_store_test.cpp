@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 #include <span>
+#include <string>
 
 #include "run/manifest.hpp"
 #include "unit/store/rooms.hpp"
@@ -48,6 +50,7 @@ struct ClusterStoreTest : testing::Test {
 
   ClusterStoreTest() {
     for (std::size_t i = 0; i < 2; ++i) a.write_initial(rooms.state(i));
+    a.end_initial();
   }
   void commit(int iteration) {
     a.set_committed(iteration);
@@ -89,8 +92,7 @@ TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhol
   EXPECT_EQ(read(fresh, cluster_a, Section::patches), text("zero 1"));
   EXPECT_EQ(read(fresh, cluster_a, Section::links), text("links zero 1"));
   EXPECT_EQ(read(fresh, cluster_b, Section::patches), text("one 1"));
-  EXPECT_FALSE(
-      std::filesystem::exists(RunLayout::patches(layout.local_of(Rank{1}), cluster_b, Slot::a)))
+  EXPECT_TRUE(std::filesystem::is_empty(layout.local_of(Rank{1})))
       << "what was never moved is gone";
 }
 
@@ -116,6 +118,45 @@ TEST_F(ClusterStoreTest, AStolenClusterIsWrittenAndMovedByItsThief) {
   commit(1);
   EXPECT_EQ(read(a, cluster_a, Section::patches), text("by b"));
   EXPECT_EQ(read(a, cluster_a, Section::links), text("links by b"));
+}
+
+/// The names of the files in the common directory that hold links.
+std::set<std::string> link_files(const RunLayout& layout) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(layout.common())) {
+    const std::string name = entry.path().filename().string();
+    if (name.find("links") != std::string::npos) names.insert(name);
+  }
+  return names;
+}
+
+TEST_F(ClusterStoreTest, LinksThatNoClusterNeedsAnyMoreAreRemoved) {
+  for (int iteration = 1; iteration <= 2; ++iteration) {
+    write(a, cluster_a, "p", "links of a");
+    write(b, cluster_b, "p", iteration == 1 ? "links of b" : "");
+    a.move_to_common();
+    b.move_to_common();
+    commit(iteration);
+  }
+  EXPECT_EQ(link_files(layout), (std::set<std::string>{"rank-0.links-2.0", "rank-1.links-1.0"}));
+  EXPECT_EQ(read(a, cluster_b, Section::links), text("links of b"));
+}
+
+TEST_F(ClusterStoreTest, ARankThatGathersForNoneLeavesTheFilesOfOthersAlone) {
+  write(b, cluster_a, "1", "l");
+  write(b, cluster_b, "1", "l");
+  b.move_to_common();
+  commit(1);
+  for (int iteration = 2; iteration <= 3; ++iteration) {
+    write(a, cluster_a, std::to_string(iteration));
+    write(a, cluster_b, std::to_string(iteration));
+    a.move_to_common();
+    b.move_to_common();
+    commit(iteration);
+  }
+  // rank-1.patches-b holds iteration 1, rank-0.patches-b iteration 3.
+  EXPECT_EQ(read(b, cluster_a, Section::patches), text("3"));
+  EXPECT_EQ(read(b, cluster_b, Section::links), text("l"));
 }
 
 TEST_F(ClusterStoreTest, CountsWhatItMoves) {

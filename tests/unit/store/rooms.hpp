@@ -8,7 +8,7 @@
 #include "base/posix_file.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "machine/machine.hpp"
-#include "run/run_layout.hpp"
+#include "run/sections/run_layout.hpp"
 #include "store/cluster_source.hpp"
 
 namespace enfilade::store_tests {
