@@ -13,6 +13,7 @@
 #include "base/posix_file.hpp"
 #include "report/export/solution_glb.hpp"
 #include "report/export/surfaces_csv.hpp"
+#include "report/pictures/picture_quality.hpp"
 #include "report/survey/room_cameras.hpp"
 #include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
@@ -129,7 +130,8 @@ RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Pro
   if (outputs.pictures) kept = kept_pictures(outputs.run_directory);
   std::vector<Camera> cameras;
   if (outputs.pictures && kept.empty()) cameras = room_cameras(solved, rooms_of_run(run));
-  add_pictures(page, solved, cameras, read_owners(outputs.run_directory), {}, progress);
+  add_pictures(page, solved, cameras, read_owners(outputs.run_directory),
+               picture_quality(page.stats.number("target_error", 0.0)), progress);
   if (!kept.empty()) page.pictures = std::move(kept);
   if (outputs.rooms) page.rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, progress);
   return page;
