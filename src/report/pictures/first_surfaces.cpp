@@ -1,6 +1,5 @@
 #include "report/pictures/first_surfaces.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -36,18 +35,6 @@ FirstSurfaces::FirstSurfaces(const CameraView& view, int width, int height, int 
       }
     }
   });
-}
-
-bool FirstSurfaces::even(int x, int y) const {
-  const Pixel& middle = at(x, y);
-  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j) {
-    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i) {
-      const Pixel& other = at(i, j);
-      if (!other.alone || other.polygon != middle.polygon || other.what != middle.what)
-        return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // What the first ray through each pixel of a picture meets.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -40,8 +41,19 @@ class FirstSurfaces {
                    static_cast<std::size_t>(x)];
   }
   /// True where all pixels around show the same polygon, or the same nothing, and nothing else: no
-  /// edge crosses the pixel, most likely.
-  bool even(int x, int y) const;
+  /// edge crosses the pixel, most likely. `same` tells which two other polygons look like one.
+  template <typename Same>
+  bool even(int x, int y, const Same& same) const {
+    const Pixel& middle = at(x, y);
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j) {
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i) {
+        const Pixel& other = at(i, j);
+        if (!other.alone || other.what != middle.what) return false;
+        if (other.polygon != middle.polygon && !same(other.polygon, middle.polygon)) return false;
+      }
+    }
+    return true;
+  }
 
  private:
   int width_, height_;

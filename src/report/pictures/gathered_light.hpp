@@ -58,6 +58,8 @@ class PictureLight {
   /// Writes the irradiance per band of `polygon` where it shows in the pixel (x, y); false where
   /// nothing was gathered in its plane nearby.
   bool at(int x, int y, std::uint32_t polygon, std::span<double> e) const;
+  /// True where two polygons lie in one plane: the light of one counts for the other.
+  bool same_plane(std::uint32_t a, std::uint32_t b) const { return planes_[a] == planes_[b]; }
   /// Returns the number of places at which rays over the hemisphere were cast.
   std::size_t places() const { return reflected_.places.size(); }
 

@@ -25,6 +25,7 @@ RenderConfig picture_quality(double asked_error) {
   // all pictures but the first are shown no wider than the rough one.
   config.width = between(config.width, 640, roughness);
   config.height = between(config.height, 360, roughness);
+  config.samples = between(config.samples, 3, roughness);
   config.gather_rays = between(config.gather_rays, 16, roughness);
   config.gather_every_px = between(config.gather_every_px, 12, roughness);
   config.direct_every_px = between(config.direct_every_px, 6, roughness);

@@ -53,7 +53,8 @@ class Painter {
         const FirstSurfaces::Pixel& met = surfaces_->at(x, y);
         add({met.what, met.polygon, met.p}, pixel_sample(config_.seed, at, 0).turn, paint);
         ++samples;
-        if (surfaces_->even(x, y)) continue;
+        const auto same = [this](std::uint32_t a, std::uint32_t b) { return look_alike(a, b); };
+        if (surfaces_->even(x, y, same)) continue;
       }
       while (samples < config_.samples) {
         const PixelSample sample = pixel_sample(config_.seed, at, samples);
@@ -73,6 +74,18 @@ class Painter {
   }
 
  private:
+  /// True where no edge shows between two polygons: pieces of one wall.
+  bool look_alike(std::uint32_t a, std::uint32_t b) const {
+    if (!gathered_->same_plane(a, b)) return false;
+    const PolygonFrame &one = frame_of(a), &other = frame_of(b);
+    return one.reflectance == other.reflectance && one.exitance == other.exitance;
+  }
+
+  const PolygonFrame& frame_of(std::uint32_t polygon) const {
+    const PolygonRef ref = solved_.occluders.local(polygon);
+    return solved_.states[ref.cluster.index()].patches().frames()[ref.polygon];
+  }
+
   static void scale(LightImage::Pixel& pixel, float factor) {
     for (float& r : pixel.radiosity) r *= factor;
     pixel.irradiance *= factor;

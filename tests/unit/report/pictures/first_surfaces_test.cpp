@@ -10,6 +10,8 @@ namespace {
 
 constexpr int pixels_wide = 40;
 
+bool never(std::uint32_t, std::uint32_t) { return false; }
+
 /// The lamp, 1 m x 1 m before the unlit ceiling, straight from below in 2 m x 2 m.
 Camera from_below() {
   Camera camera;
@@ -30,7 +32,7 @@ TEST(FirstSurfaces, AreEvenAwayFromEdges) {
   for (int y = 0; y < pixels_wide; ++y) {
     for (int x = 0; x < pixels_wide; ++x) {
       const bool near = (on_edge(x) && !beyond(y)) || (on_edge(y) && !beyond(x));
-      EXPECT_EQ(surfaces.even(x, y), !near) << x << ", " << y;
+      EXPECT_EQ(surfaces.even(x, y, never), !near) << x << ", " << y;
     }
   }
 }
@@ -43,9 +45,24 @@ TEST(FirstSurfaces, OnePixelOfAnotherPolygonIsSeenFromAllAround) {
   const FirstSurfaces surfaces(CameraView(solved, camera, 1.0), pixels_wide, pixels_wide, 1, 1);
   int uneven = 0;
   for (int y = 0; y < pixels_wide; ++y) {
-    for (int x = 0; x < pixels_wide; ++x) uneven += !surfaces.even(x, y);
+    for (int x = 0; x < pixels_wide; ++x) uneven += !surfaces.even(x, y, never);
   }
   EXPECT_GE(uneven, 9);
+}
+
+TEST(FirstSurfaces, TakesPolygonsThatLookAlikeForOne) {
+  const test::LitRooms rooms;
+  const SolvedScene solved = rooms.solved();
+  const Camera camera = from_below();
+  const FirstSurfaces surfaces(CameraView(solved, camera, 1.0), pixels_wide, pixels_wide, 1, 1);
+  const std::uint32_t ceiling = surfaces.at(0, 0).polygon, lamp = surfaces.at(20, 20).polygon;
+  ASSERT_NE(ceiling, lamp);
+  const auto always = [&](std::uint32_t a, std::uint32_t b) {
+    EXPECT_TRUE((a == ceiling && b == lamp) || (a == lamp && b == ceiling));
+    return true;
+  };
+  EXPECT_TRUE(surfaces.even(10, 20, always));
+  EXPECT_FALSE(surfaces.even(10, 20, never));
 }
 
 TEST(FirstSurfaces, EdgesAreSmoothInThePicture) {
