@@ -111,7 +111,8 @@ void run_rooms(const RoomsOptions& options, const Console& console) {
   lock.read(options.run);
   const SolvedRun run(options.run, {}, options.light);
   if (!places.empty()) refuse_watts(run, options.run);
-  const RoomTable table = survey_run(run, options.how, places, console.progress());
+  RunRooms rooms(run);
+  const RoomTable table = survey_run(run, rooms, options.how, places, console.progress());
   if (table.rooms.empty()) {
     throw InputError(options.run, "rooms", "the scene names none, and no cell of it is a room",
                      "list them under \"rooms\" in the scene file, and solve it again");

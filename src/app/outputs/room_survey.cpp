@@ -15,8 +15,6 @@ void set_outside(const Scene& scene, RoomTable& table) {
   }
 }
 
-}  // namespace
-
 std::vector<SurveyRoom> rooms_of_run(const SolvedRun& run) {
   const Scene& scene = run.prepared().scene;
   std::vector<SurveyRoom> rooms =
@@ -27,8 +25,20 @@ std::vector<SurveyRoom> rooms_of_run(const SolvedRun& run) {
   return rooms;
 }
 
-RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const GlarePlace> places,
-                     const Progress& progress) {
+}  // namespace
+
+std::span<const SurveyRoom> RunRooms::all() {
+  if (!rooms_) rooms_ = rooms_of_run(run_);
+  return *rooms_;
+}
+
+std::span<const std::optional<RoomView>> RunRooms::views() {
+  if (!views_) views_ = standing_views(run_.solved_scene(), all());
+  return *views_;
+}
+
+RoomTable survey_run(const SolvedRun& run, RunRooms& rooms, const RunSurvey& how,
+                     std::span<const GlarePlace> places, const Progress& progress) {
   const Scene& scene = run.prepared().scene;
   const SolvedScene solved = run.solved_scene();
   const SurveyConfig& config = how.survey;
@@ -41,7 +51,8 @@ RoomTable survey_run(const SolvedRun& run, const RunSurvey& how, std::span<const
   table.plane_m = config.plane_m;
   table.cylindrical_m = config.cylindrical_m;
   set_outside(scene, table);
-  table.rooms = survey_rooms(surveyed, rooms_of_run(run), config, progress);
+  const std::span<const SurveyRoom> all = rooms.all();
+  table.rooms = survey_rooms(surveyed, {all.begin(), all.end()}, config, progress);
   table.glare = glare_at(surveyed, places, config.maintenance_factor, progress);
   return table;
 }

@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/plan_files.hpp"
-#include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
 #include "app/outputs/walk_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "report/export/solution_glb.hpp"
 #include "report/export/surfaces_csv.hpp"
-#include "report/survey/room_cameras.hpp"
+#include "report/pictures/picture_quality.hpp"
 #include "run/sealed_reports.hpp"
 #include "run/stats_json.hpp"
 #include "scene_file/scene_io.hpp"
@@ -122,16 +121,19 @@ std::string history_json(std::span<const IterationSummary> history) {
   return "[" + rows + "]\n";
 }
 
-RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Progress& progress) {
+RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, RunRooms& rooms,
+                      const Progress& progress) {
   const SolvedScene solved = run.solved_scene();
   RunPage page = read_run_page(outputs.run_directory);
   std::vector<Figure> kept;
   if (outputs.pictures) kept = kept_pictures(outputs.run_directory);
   std::vector<Camera> cameras;
-  if (outputs.pictures && kept.empty()) cameras = room_cameras(solved, rooms_of_run(run));
-  add_pictures(page, solved, cameras, read_owners(outputs.run_directory), {}, progress);
+  if (outputs.pictures && kept.empty()) cameras = room_cameras(solved, rooms.all(), rooms.views());
+  add_pictures(page, solved, cameras, read_owners(outputs.run_directory),
+               picture_quality(page.stats.number("target_error", 0.0)), progress);
   if (!kept.empty()) page.pictures = std::move(kept);
-  if (outputs.rooms) page.rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, progress);
+  if (outputs.rooms)
+    page.rooms = survey_run(run, rooms, {.survey = {.cylindrical = false}}, {}, progress);
   return page;
 }
 
@@ -141,11 +143,12 @@ bool has_run_outputs(const RunOutputs& outputs, const Scene& scene) {
   return walk && reports_are_whole(outputs.run_directory, sealed_names(outputs, scene));
 }
 
-bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table) {
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, RunRooms& rooms,
+                     const RoomTable* table) {
   const auto program = outputs.walk ? walk_program() : std::nullopt;
   if (!program) return false;
   write_file_atomically(outputs.run_directory + "/walk.html",
-                        walk_page(run, outputs.run_directory, table, *program));
+                        walk_page(run, rooms, outputs.run_directory, table, *program));
   return true;
 }
 
@@ -174,7 +177,8 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
         irradiance_at(run, probes, ProbeMethod::gather, progress).answers, "gather",
         solved.scene.unit);
   }
-  RunPage page = make_run_page(outputs, run, progress);
+  RunRooms rooms(run);
+  RunPage page = make_run_page(outputs, run, rooms, progress);
   std::vector<std::string> sealed = sealed_names(outputs, solved.scene);
   if (outputs.pictures) {
     write_run_plans(outputs.run_directory, page.plans);
@@ -182,7 +186,8 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
       sealed.push_back(std::move(name));
   }
   if (outputs.rooms) write_file_atomically(directory + "rooms.csv", rooms_csv(page.rooms));
-  if (write_walk_page(outputs, run, outputs.rooms ? &page.rooms : nullptr)) page.walk = "walk.html";
+  if (write_walk_page(outputs, run, rooms, outputs.rooms ? &page.rooms : nullptr))
+    page.walk = "walk.html";
   write_file_atomically(directory + "report.html", report_html(std::span(&page, 1)));
   seal_reports(outputs.run_directory, sealed);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/outputs/room_survey.hpp"
 #include "app/outputs/solved_run.hpp"
 #include "base/progress.hpp"
 #include "base/run_record.hpp"
@@ -45,13 +46,15 @@ void write_run_outputs(const RunOutputs& outputs, RunRecords records, const Prog
 
 /// Writes RUN/walk.html, with the shares of the light that the run has; false where it is not asked
 /// for, or the build has no program for it. `table` may be null.
-bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, const RoomTable* table);
+bool write_walk_page(const RunOutputs& outputs, const SolvedRun& run, RunRooms& rooms,
+                     const RoomTable* table);
 
 /// True where RUN has all these files, as a solve has written them for the committed iteration.
 bool has_run_outputs(const RunOutputs& outputs, const Scene& scene);
 
 /// Returns the page of a run that has a solution: with plans, with pictures and the table of rooms
 /// where `outputs` asks for them. Pictures that the solve has made are taken as they are.
-RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, const Progress& progress);
+RunPage make_run_page(const RunOutputs& outputs, const SolvedRun& run, RunRooms& rooms,
+                      const Progress& progress);
 
 }  // namespace enfilade

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "app/outputs/room_survey.hpp"
 #include "run/light_shares.hpp"
 
 namespace enfilade {
@@ -16,14 +15,11 @@ std::string name_of_run(const std::string& run_directory) {
 
 }  // namespace
 
-std::string walk_page(const SolvedRun& run, const std::string& run_directory,
+std::string walk_page(const SolvedRun& run, RunRooms& rooms, const std::string& run_directory,
                       const RoomTable* table, const std::string& program) {
   const SolvedScene solved = run.solved_scene();
-  std::vector<SurveyRoom> rooms;
-  if (table == nullptr) rooms = rooms_of_run(run);
-  for (std::size_t i = 0; table != nullptr && i < table->rooms.size(); ++i)
-    rooms.push_back(table->rooms[i].room);
-  WalkSubject subject{solved, name_of_run(run_directory), rooms, table, {}, run.patch_error()};
+  WalkSubject subject{solved, name_of_run(run_directory), rooms.all(), rooms.views(), table,
+                      {},     run.patch_error()};
   LightShares shares;
   if (read_share_index(run_directory))
     shares = read_light_shares(run_directory, run.prepared(), solved.states);

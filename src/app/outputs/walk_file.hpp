@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "app/outputs/solved_run.hpp"
+#include "app/outputs/room_survey.hpp"
 #include "report/walk/walk_page.hpp"
 
 namespace enfilade {
 
 /// Returns walk.html, made with walk_program(), with the shares of the light that the run has, so
-/// that lamps can be dimmed. `table` may be null, or is what survey_run() gave.
-std::string walk_page(const SolvedRun& run, const std::string& run_directory,
+/// that lamps can be dimmed. `table` may be null, or is what survey_run() gave of `rooms`.
+std::string walk_page(const SolvedRun& run, RunRooms& rooms, const std::string& run_directory,
                       const RoomTable* table, const std::string& program);
 
 }  // namespace enfilade

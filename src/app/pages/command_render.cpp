@@ -54,8 +54,9 @@ Camera choose_camera(const RenderOptions& options, const SolvedRun& run) {
     check_camera(camera, "command line", "--");
     return camera;
   }
+  RunRooms rooms(run);
   const std::vector<Camera> cameras = options.camera_file.empty()
-                                          ? room_cameras(solved, rooms_of_run(run))
+                                          ? room_cameras(solved, rooms.all(), rooms.views())
                                           : read_cameras(options.camera_file);
   std::string names;
   for (const Camera& camera : cameras) {

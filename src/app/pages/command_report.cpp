@@ -33,12 +33,13 @@ struct ReportOptions {
 };
 
 /// Makes RUN/walk.html unless it is there, and a link to it in the page; says what came of it.
-std::string add_walk_page(const RunOutputs& outputs, const SolvedRun& run,
+std::string add_walk_page(const RunOutputs& outputs, const SolvedRun& run, RunRooms& rooms,
                           const std::string& report, RunPage& page) {
   namespace fs = std::filesystem;
   const fs::path path = fs::path(outputs.run_directory) / "walk.html";
   try {
-    if (!fs::exists(path) && !write_walk_page(outputs, run, outputs.rooms ? &page.rooms : nullptr))
+    if (!fs::exists(path) &&
+        !write_walk_page(outputs, run, rooms, outputs.rooms ? &page.rooms : nullptr))
       return "none: this Enfilade was built without three.js; install npm and build it again";
   } catch (const RunError& error) {
     return std::string("none: ") + error.what() + "; use 'enfilade walk -o FILE'";
@@ -58,8 +59,10 @@ void run_report(const ReportOptions& options, const Console& console) {
     const SolvedRun run(directory);
     const RunOutputs outputs{directory, options.pictures, options.rooms,
                              options.pictures && options.walk};
-    pages.push_back(make_run_page(outputs, run, console.progress()));
-    if (outputs.walk) table.add("walk", add_walk_page(outputs, run, options.output, pages.back()));
+    RunRooms rooms(run);
+    pages.push_back(make_run_page(outputs, run, rooms, console.progress()));
+    if (outputs.walk)
+      table.add("walk", add_walk_page(outputs, run, rooms, options.output, pages.back()));
   }
   const std::string html = report_html(pages);
   write_file_atomically(options.output, html);

@@ -45,10 +45,12 @@ void run_walk(const WalkOptions& options, const Console& console) {
   RunLock lock;
   lock.read(options.run);
   const SolvedRun run(options.run);
-  RoomTable rooms;
+  RunRooms rooms(run);
+  RoomTable figures;
   if (options.rooms)
-    rooms = survey_run(run, {.survey = {.cylindrical = false}}, {}, console.progress());
-  const std::string page = walk_page(run, options.run, options.rooms ? &rooms : nullptr, *program);
+    figures = survey_run(run, rooms, {.survey = {.cylindrical = false}}, {}, console.progress());
+  const std::string page =
+      walk_page(run, rooms, options.run, options.rooms ? &figures : nullptr, *program);
   write_file_atomically(options.output, page);
   TextTable table(options.output);
   table.add("size", format_bytes(static_cast<double>(page.size())));

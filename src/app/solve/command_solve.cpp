@@ -148,7 +148,8 @@ void add_shares(const SolveOptions& options, const SolveConfig& config, Prepared
   const ShareIndex shares = find_shares(config, prepared, machine, session);
   session.communicator().on_root([&] {
     const SolvedRun run(std::move(prepared), config.run_directory);
-    write_walk_page(outputs_of(options, config), run, nullptr);
+    RunRooms rooms(run);
+    write_walk_page(outputs_of(options, config), run, rooms, nullptr);
     if (!options.quiet) session.console().print(shares_summary(config.run_directory, shares));
   });
 }

@@ -9,7 +9,7 @@
 #include "base/progress.hpp"
 #include "final_gather/emitter_sampler.hpp"
 #include "occluders/light_at.hpp"
-#include "report/pictures/camera_view.hpp"
+#include "report/pictures/first_surfaces.hpp"
 
 namespace enfilade {
 
@@ -52,47 +52,40 @@ class QuickGather {
 /// Gathered before the picture is painted; then light at any place that the picture shows.
 class PictureLight {
  public:
-  /// `width` and `height` in pixels.
-  PictureLight(const SolvedScene& solved, const CameraView& view, int width, int height,
+  PictureLight(const SolvedScene& solved, const FirstSurfaces& surfaces,
                const GatherQuality& quality, const Progress& progress = {});
 
-  /// Writes the irradiance per band at p on `polygon`, which shows at (x, y) in pixels from the
-  /// upper left corner; false where nothing was gathered in that plane nearby.
-  bool at(double x, double y, const Vec3& p, std::uint32_t polygon, std::span<double> e) const;
+  /// Writes the irradiance per band of `polygon` where it shows in the pixel (x, y); false where
+  /// nothing was gathered in its plane nearby.
+  bool at(int x, int y, std::uint32_t polygon, std::span<double> e) const;
+  /// True where two polygons lie in one plane: the light of one counts for the other.
+  bool same_plane(std::uint32_t a, std::uint32_t b) const { return planes_[a] == planes_[b]; }
   /// Returns the number of places at which rays over the hemisphere were cast.
   std::size_t places() const { return reflected_.places.size(); }
 
  private:
-  /// A place that was gathered at, with its light.
+  /// A place that was gathered at: in the middle of a pixel, as far as its light is averaged.
   struct Place {
-    float x, y;  // pixels
-    std::uint32_t polygon;
-    std::size_t light;  // of the first band
+    int x, y;
+    std::uint32_t plane, polygon;
+    Vec3 p;
   };
   /// A grid over the picture; each of its cells has one place in each plane that it shows.
   struct Layer {
     int step_px = 1, columns = 0, rows = 0;
     double width_steps = 1.0;        // of the Gaussian
+    std::vector<double> gaussian;    // at 0, 1, 2... pixels
     std::vector<std::size_t> first;  // of each cell, and the end
     std::vector<Place> places;
-    std::vector<Vec3> points;
-    std::vector<double> light;
-  };
-  struct Pixel {
-    std::uint32_t polygon = RayScene::no_polygon;
-    Vec3 p{0.0};
+    std::vector<double> light;  // of each place, per band
   };
 
-  void find_places(Layer& layer, int step_px, const std::vector<Pixel>& pixels);
-  bool add(const Layer& layer, double x, double y, const Vec3& p, std::uint32_t polygon,
-           std::span<double> e) const;
-  bool same_plane(std::uint32_t a, std::uint32_t b, const Vec3& p) const;
-  const PolygonFrame& frame_of(std::uint32_t polygon) const;
+  void find_places(Layer& layer, int step_px, const FirstSurfaces& surfaces) const;
+  bool add(const Layer& layer, int x, int y, std::uint32_t plane, std::span<double> e) const;
 
   const SolvedScene& solved_;
-  int width_, height_;
   std::size_t bands_;
-  double tolerance_m_;
+  std::vector<std::uint32_t> planes_;  // of each polygon
   Layer direct_, reflected_;
 };
 

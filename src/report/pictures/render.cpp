@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <memory>
 #include <numbers>
 
 #include "base/memory_wanted.hpp"
-#include "base/random.hpp"
 #include "base/run_on_threads.hpp"
 #include "base/usable_cores.hpp"
 #include "report/pictures/camera_view.hpp"
+#include "report/pictures/first_surfaces.hpp"
 #include "report/pictures/gathered_light.hpp"
 #include "report/pictures/one_value.hpp"
 #include "report/pictures/smooth_light.hpp"
@@ -28,14 +27,15 @@ class Painter {
         config_(config),
         view_(solved, camera, static_cast<double>(config.width) / config.height) {
     if (config.gather_rays <= 0) return;
+    surfaces_ = std::make_unique<FirstSurfaces>(view_, config.width, config.height, config.threads,
+                                                config.seed);
     GatherQuality quality;
     quality.rays = config.gather_rays;
     quality.every_px = config.gather_every_px;
-    quality.direct_px = std::min(config.gather_every_px, quality.direct_px);
+    quality.direct_px = std::min(config.gather_every_px, config.direct_every_px);
     quality.threads = config.threads;
     quality.seed = config.seed;
-    gathered_ = std::make_unique<PictureLight>(solved, view_, config.width, config.height, quality,
-                                               progress);
+    gathered_ = std::make_unique<PictureLight>(solved, *surfaces_, quality, progress);
   }
 
   std::size_t gathered_places() const { return gathered_ ? gathered_->places() : 0; }
@@ -44,29 +44,48 @@ class Painter {
     for (int x = 0; x < config_.width; ++x) {
       const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(config_.width) +
                              static_cast<std::size_t>(x);
-      Random random(config_.seed * 0x9E3779B97F4A7C15ull + at);
-      const double shift_x = random.uniform(), shift_y = random.uniform();
-      std::uint32_t first = RayScene::no_polygon;
-      Known known;
+      PixelPaint paint{x, y, image.pixels[at]};
       int samples = 0;
-      while (samples < config_.samples) {
-        // The R2 sequence (Roberts 2018) covers a pixel evenly with any number of samples.
-        const double i = samples + 0.5;
-        const double dx = std::fmod(shift_x + i * 0.7548776662466927, 1.0);
-        const double dy = std::fmod(shift_y + i * 0.5698402909980532, 1.0);
-        const double turn = std::fmod(shift_x + shift_y + i * 0.6180339887498949, 1.0);
-        const std::uint32_t seen = add({x + dx, y + dy}, turn, image.pixels[at], known);
+      std::uint32_t first = RayScene::no_polygon;
+      // What the first ray has met needs no second one, where it tells all.
+      const bool known = surfaces_ && surfaces_->at(x, y).alone;
+      if (known) {
+        const FirstSurfaces::Pixel& met = surfaces_->at(x, y);
+        add({met.what, met.polygon, met.p}, pixel_sample(config_.seed, at, 0).turn, paint);
         ++samples;
+        const auto same = [this](std::uint32_t a, std::uint32_t b) { return look_alike(a, b); };
+        if (surfaces_->even(x, y, same)) continue;
+      }
+      while (samples < config_.samples) {
+        const PixelSample sample = pixel_sample(config_.seed, at, samples);
+        const Vec2 in_picture = Vec2(x, y) + sample.at;
+        const CameraView::Seen seen = view_.at(2.0 * in_picture.x / config_.width - 1.0,
+                                               1.0 - 2.0 * in_picture.y / config_.height);
+        add(seen, sample.turn, paint);
+        ++samples;
+        if (known) continue;  // an edge is near: all samples count
         // Two samples of one polygon: no edge crosses the pixel, most likely. What shows outside
         // (sun, horizon, panes) has no number to tell it by.
-        if (samples == 1) first = seen;
-        if (samples == 2 && seen == first && first != RayScene::no_polygon) break;
+        if (samples == 1) first = seen.polygon;
+        if (samples == 2 && seen.polygon == first && first != RayScene::no_polygon) break;
       }
       scale(image.pixels[at], 1.0f / static_cast<float>(samples));
     }
   }
 
  private:
+  /// True where no edge shows between two polygons: pieces of one wall.
+  bool look_alike(std::uint32_t a, std::uint32_t b) const {
+    if (!gathered_->same_plane(a, b)) return false;
+    const PolygonFrame &one = frame_of(a), &other = frame_of(b);
+    return one.reflectance == other.reflectance && one.exitance == other.exitance;
+  }
+
+  const PolygonFrame& frame_of(std::uint32_t polygon) const {
+    const PolygonRef ref = solved_.occluders.local(polygon);
+    return solved_.states[ref.cluster.index()].patches().frames()[ref.polygon];
+  }
+
   static void scale(LightImage::Pixel& pixel, float factor) {
     for (float& r : pixel.radiosity) r *= factor;
     pixel.irradiance *= factor;
@@ -75,42 +94,42 @@ class Painter {
     pixel.section *= factor;
   }
 
-  /// The gathered light of a polygon in this pixel: the same for all samples that show it.
-  struct Known {
+  /// A pixel that is being painted, with the gathered light of a polygon: it is the same for all
+  /// samples that show it.
+  struct PixelPaint {
+    int x, y;
+    LightImage::Pixel& pixel;
     std::uint32_t polygon = RayScene::no_polygon;
-    Spectrum e;
+    Spectrum e{};
   };
 
-  /// Adds a sample at a place of the picture, in pixels; returns the polygon that it shows, none
-  /// for the sky and the inside of a solid.
-  std::uint32_t add(const Vec2& at, double turn, LightImage::Pixel& pixel, Known& known) const {
-    const CameraView::Seen seen =
-        view_.at(2.0 * at.x / config_.width - 1.0, 1.0 - 2.0 * at.y / config_.height);
+  /// Adds a sample.
+  void add(const CameraView::Seen& seen, double turn, PixelPaint& paint) const {
     using What = CameraView::Seen::What;
+    LightImage::Pixel& pixel = paint.pixel;
     if (seen.what == What::section) pixel.section += 1.0f;
     for (const CameraView::Seen::Pane& pane : seen.panes) {
       if (!pane.met.front) continue;
       const float behind = pixel.irradiance;  // that of what is seen through the pane counts
-      Known of_pane;
-      add_light({What::front, pane.met.polygon, pane.p}, pane.met.before, at, turn, pixel, of_pane);
+      PixelPaint of_pane{paint.x, paint.y, pixel};
+      add_light({What::front, pane.met.polygon, pane.p}, pane.met.before, turn, of_pane);
       pixel.irradiance = behind;
     }
     const Passage passage = seen.panes.empty() ? Passage() : seen.panes.back().met.behind;
-    if (seen.what == What::front) add_light(seen, passage, at, turn, pixel, known);
+    if (seen.what == What::front) add_light(seen, passage, turn, paint);
     if (seen.what == What::front || seen.what == What::back) pixel.cover += 1.0f;
     if (seen.what == What::nothing && seen.outward != Vec3(0.0))
       add_sky(seen.outward, passage, pixel);
-    return seen.polygon;
   }
 
-  bool gathered_at(const CameraView::Seen& seen, const Vec2& at, Known& known, Spectrum& e) const {
+  /// Finds the gathered light of `polygon`; false where there is none.
+  bool find_gathered(std::uint32_t polygon, PixelPaint& paint) const {
     if (!gathered_) return false;
-    if (known.polygon != seen.polygon) {
-      if (!gathered_->at(at.x, at.y, seen.p, seen.polygon, e)) return false;
-      known = {seen.polygon, e};
-    }
-    e = known.e;
-    return true;
+    if (paint.polygon == polygon) return true;
+    paint.e.resize(bands());
+    const bool found = gathered_->at(paint.x, paint.y, polygon, paint.e);
+    paint.polygon = found ? polygon : RayScene::no_polygon;
+    return found;
   }
 
   void add_sky(const Vec3& direction, const Passage& passage, LightImage::Pixel& pixel) const {
@@ -128,25 +147,33 @@ class Painter {
   }
 
   /// `passage`: what the panes before it pass.
-  void add_light(const CameraView::Seen& seen, const Passage& passage, const Vec2& at, double turn,
-                 LightImage::Pixel& pixel, Known& known) const {
+  void add_light(const CameraView::Seen& seen, const Passage& passage, double turn,
+                 PixelPaint& paint) const {
     const PolygonRef ref = solved_.occluders.local(seen.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
-    Spectrum e(static_cast<std::size_t>(forest.bands())), b(e.size());
-    const bool gathered = gathered_at(seen, at, known, e);
-    if (!gathered) forest.evaluate(false, ref.polygon, seen.p, e);
-    b = e;
+    Spectrum e(static_cast<std::size_t>(forest.bands()));
+    const bool gathered = find_gathered(seen.polygon, paint);
+    if (gathered)
+      e = paint.e;
+    else
+      forest.evaluate(false, ref.polygon, seen.p, e);
+    Spectrum b = e;
     if (!gathered && config_.smooth) smooth_irradiance(forest, ref.polygon, seen.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] = passage.band(i) * (frame.exitance[i] + frame.reflectance[i] * b[i]);
-    add_radiosity(b, pixel);
-    pixel.irradiance += static_cast<float>(std::max(0.0, one_value(solved_.scene, e)));
+    add_radiosity(b, paint.pixel);
+    paint.pixel.irradiance += static_cast<float>(std::max(0.0, one_value(solved_.scene, e)));
+  }
+
+  std::size_t bands() const {
+    return static_cast<std::size_t>(solved_.states.empty() ? 1 : solved_.states[0].bands());
   }
 
   const SolvedScene& solved_;
   const RenderConfig& config_;
   CameraView view_;
+  std::unique_ptr<FirstSurfaces> surfaces_;  // where light is gathered
   std::unique_ptr<PictureLight> gathered_;
 };
 

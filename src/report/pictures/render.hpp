@@ -18,7 +18,8 @@ struct RenderConfig {
   /// Rays over the hemisphere of each place at which light is gathered from the solution
   /// (gathered_light.hpp), so that no patches show; 0 = the light of the patches.
   int gather_rays = 64;
-  int gather_every_px = 8;  ///< distance of these places in the picture; shadows of lamps: 4
+  int gather_every_px = 8;  ///< distance of these places in the picture
+  int direct_every_px = 4;  ///< of those where the shadows of lamps are found, if it is less
   bool smooth = true;       ///< without gathering: radiosity without the patches' edges
                             ///< (smooth_light.hpp); irradiance is left as it is
   int threads = 0;          ///< 0 = as many as the machine has

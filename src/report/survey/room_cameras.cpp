@@ -127,6 +127,14 @@ std::optional<RoomView> standing_view(const SolvedScene& solved, const SurveyRoo
   return Standing(solved, room, eye_height_m).best();
 }
 
+std::vector<std::optional<RoomView>> standing_views(const SolvedScene& solved,
+                                                    std::span<const SurveyRoom> rooms,
+                                                    double eye_height_m) {
+  std::vector<std::optional<RoomView>> views;
+  for (const SurveyRoom& room : rooms) views.push_back(standing_view(solved, room, eye_height_m));
+  return views;
+}
+
 std::vector<std::size_t> rooms_to_show(std::span<const SurveyRoom> rooms,
                                        std::span<const std::optional<RoomView>> views) {
   double brightest = 0.0;
@@ -141,10 +149,8 @@ std::vector<std::size_t> rooms_to_show(std::span<const SurveyRoom> rooms,
 }
 
 std::vector<Camera> room_cameras(const SolvedScene& solved, std::span<const SurveyRoom> rooms,
+                                 std::span<const std::optional<RoomView>> views,
                                  const AutoCameraConfig& config) {
-  std::vector<std::optional<RoomView>> views;
-  for (const SurveyRoom& room : rooms)
-    views.push_back(standing_view(solved, room, config.eye_height_m));
   const std::vector<std::size_t> shown = rooms_to_show(rooms, views);
   if (shown.empty()) return automatic_cameras(solved, config);
   std::vector<Camera> cameras;

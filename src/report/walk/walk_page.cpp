@@ -13,7 +13,6 @@
 #include "report/pictures/false_colour.hpp"
 #include "report/pictures/one_value.hpp"
 #include "report/pictures/scene_tone.hpp"
-#include "report/survey/room_cameras.hpp"
 #include "report/walk/walk_arrays.hpp"
 
 namespace enfilade {
@@ -72,8 +71,8 @@ void add_figures(const RoomFigures& figures, Json& json) {
   json["verdict"] = name_of(verdict_of(figures));
 }
 
-Json room_json(const WalkSubject& subject, std::size_t i, const std::optional<RoomView>& view,
-               const WalkStoreys& storeys, const Vec3& centre) {
+Json room_json(const WalkSubject& subject, std::size_t i, const WalkStoreys& storeys,
+               const Vec3& centre) {
   const SurveyRoom& room = subject.rooms[i];
   Json json = {{"name", room.name},
                {"longName", room.long_name},
@@ -84,7 +83,7 @@ Json room_json(const WalkSubject& subject, std::size_t i, const std::optional<Ro
                {"rings", rings_of(room.plan, centre)}};
   if (const std::optional<double> e = floor_light(subject.solved, room)) json["floorLight"] = *e;
   if (subject.table != nullptr) add_figures(subject.table->rooms[i], json);
-  if (view) {
+  if (const std::optional<RoomView>& view = subject.views[i]) {
     json["eye"] = point(view->camera.eye - centre);
     json["look"] = point(view->camera.look_at - view->camera.eye);
   }
@@ -149,12 +148,9 @@ Json model_json(const WalkSubject& subject, const WalkArrays& arrays, const Ligh
   json["surveyed"] = subject.table != nullptr;
   if (subject.table != nullptr) json["plane"] = subject.table->plane_m;
   json["rooms"] = Json::array();
-  std::vector<std::optional<RoomView>> views;
-  for (std::size_t i = 0; i < subject.rooms.size(); ++i) {
-    views.push_back(standing_view(subject.solved, subject.rooms[i]));
-    json["rooms"].push_back(room_json(subject, i, views.back(), storeys, arrays.centre));
-  }
-  const std::vector<std::size_t> shown = rooms_to_show(subject.rooms, views);
+  for (std::size_t i = 0; i < subject.rooms.size(); ++i)
+    json["rooms"].push_back(room_json(subject, i, storeys, arrays.centre));
+  const std::vector<std::size_t> shown = rooms_to_show(subject.rooms, subject.views);
   json["start"] = shown.empty() ? -1 : static_cast<int>(shown.front());
   json["shares"] = Json::array();
   for (std::size_t i = 0; i < subject.shares.names.size(); ++i)

@@ -7,7 +7,7 @@
 
 #include "report/pictures/solved_scene.hpp"
 #include "report/room_table/room_table.hpp"
-#include "report/survey/building_rooms.hpp"
+#include "report/survey/room_cameras.hpp"
 #include "report/walk/walk_arrays.hpp"
 
 namespace enfilade {
@@ -16,6 +16,7 @@ struct WalkSubject {
   const SolvedScene& solved;
   std::string title;
   std::span<const SurveyRoom> rooms;
+  std::span<const std::optional<RoomView>> views;  ///< of each room: where one stands in it
   /// Figures of the same rooms, in the same order; null where they have not been surveyed. Without
   /// them the table shows what the floors' patches have.
   const RoomTable* table = nullptr;

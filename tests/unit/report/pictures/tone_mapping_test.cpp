@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace enfilade {
 namespace {
 
@@ -56,6 +58,30 @@ TEST(ToneMapping, SrgbCurve) {
   EXPECT_EQ(srgb8(1.0), 255);
   EXPECT_EQ(srgb8(0.2140411), 127);  // IEC 61966-2-1: half grey
   EXPECT_EQ(srgb8(7.0), 255);
+}
+
+TEST(ToneMapping, EveryByteIsTheNearest) {
+  for (int i = 0; i < 10000; ++i) {
+    const double linear = std::pow(i / 1e4, 2.0);
+    const double curve =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    EXPECT_NEAR(srgb8(linear), 255.0 * curve, 0.501) << linear;
+  }
+}
+
+TEST(ToneMapping, ALargePicturesExposureIsThatOfAllColumns) {
+  // Bright and dark columns in turn: pixels at an even distance would find one kind alone.
+  LightImage small, large;
+  for (auto& [image, edge] : {std::pair{&small, 4}, std::pair{&large, 1024}}) {
+    image->width = image->height = edge;
+    image->pixels.resize(static_cast<std::size_t>(edge * edge));
+    for (std::size_t i = 0; i < image->pixels.size(); ++i) {
+      const float light = i % 2 == 0 ? 100.0f : 10.0f;
+      image->pixels[i] = {{light, light, light}, light, 1, 0, 0};
+    }
+  }
+  const Bitmap few = tone_mapped(small), many = tone_mapped(large);
+  for (const int x : {0, 1}) EXPECT_NEAR(many.at(x, 0)[0], few.at(x, 0)[0], 1);
 }
 
 TEST(ToneMapping, BackgroundIsWhereNothingWasMet) {

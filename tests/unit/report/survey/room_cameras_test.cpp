@@ -48,13 +48,12 @@ TEST(RoomCameras, ShowsLitRoomsLargestFirst) {
   rooms.set_irradiance([](const Vec3& p) { return p.x > 8.3 ? 0.0 : 10.0; });
   std::vector<SurveyRoom> list{room("small", 0, 4, 3), room("large", 4.2, 8.2, 5),
                                room("dark", 8.4, 12.4, 5)};
-  std::vector<std::optional<RoomView>> views;
-  for (const SurveyRoom& r : list) views.push_back(standing_view(rooms.solved(), r));
+  const std::vector<std::optional<RoomView>> views = standing_views(rooms.solved(), list);
   EXPECT_EQ(rooms_to_show(list, views), (std::vector<std::size_t>{1, 0}));
   list[1].has_ceiling = false;  // a roof
   EXPECT_EQ(rooms_to_show(list, views), (std::vector<std::size_t>{0}));
   list[1].has_ceiling = true;
-  const std::vector<Camera> cameras = room_cameras(rooms.solved(), list);
+  const std::vector<Camera> cameras = room_cameras(rooms.solved(), list, views);
   ASSERT_EQ(cameras.size(), 3u);
   EXPECT_EQ(cameras[0].name, "room-1");
   EXPECT_EQ(cameras[0].title, "large");

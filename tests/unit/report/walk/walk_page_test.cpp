@@ -24,7 +24,8 @@ TEST(WalkPage, TellsTheRoomsAndWhereToStand) {
   LitRooms rooms(2);
   rooms.set_irradiance([](const Vec3& p) { return p.x < 4.1 ? 20.0 : 60.0; });
   const std::vector<SurveyRoom> list = rooms_of_building(rooms.solved().building(), {});
-  const nlohmann::json model = model_of(walk_html({rooms.solved(), "house", list}, program));
+  const auto views = standing_views(rooms.solved(), list);
+  const nlohmann::json model = model_of(walk_html({rooms.solved(), "house", list, views}, program));
   EXPECT_EQ(model["unit"], "lx");
   EXPECT_FALSE(model["surveyed"]);
   ASSERT_EQ(model["rooms"].size(), 2u);
@@ -40,8 +41,9 @@ TEST(WalkPage, KeepsNamesOutOfTheMarkup) {
   LitRooms rooms;
   rooms.set_irradiance([](const Vec3&) { return 20.0; });
   std::vector<SurveyRoom> list = rooms_of_building(rooms.solved().building(), {});
+  const auto views = standing_views(rooms.solved(), list);
   list[0].name = "</script><b><!--data-->";
-  const std::string page = walk_html({rooms.solved(), "a <i> & b", list}, program);
+  const std::string page = walk_html({rooms.solved(), "a <i> & b", list, views}, program);
   EXPECT_NE(page.find("<title>a &lt;i&gt; &amp; b</title>"), std::string::npos);
   EXPECT_EQ(model_of(page)["rooms"][0]["name"], list[0].name);
   EXPECT_EQ(page.find("<b>"), std::string::npos);
@@ -52,6 +54,7 @@ TEST(WalkPage, ShowsTheTableOfASurveyedBuilding) {
   LitRooms rooms;
   rooms.set_irradiance([](const Vec3&) { return 20.0; });
   const std::vector<SurveyRoom> list = rooms_of_building(rooms.solved().building(), {});
+  const auto views = standing_views(rooms.solved(), list);
   RoomTable table;
   RoomFigures figures;
   figures.room = list[0];
@@ -60,7 +63,7 @@ TEST(WalkPage, ShowsTheTableOfASurveyedBuilding) {
   figures.u0 = Estimate{0.7, 0.01};
   table.rooms.push_back(figures);
   const nlohmann::json model =
-      model_of(walk_html({rooms.solved(), "house", list, &table}, program));
+      model_of(walk_html({rooms.solved(), "house", list, views, &table}, program));
   EXPECT_TRUE(model["surveyed"]);
   EXPECT_EQ(model["rooms"][0]["mean"], 311.0);
   EXPECT_EQ(model["rooms"][0]["required"], 300.0);
