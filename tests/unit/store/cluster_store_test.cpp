@@ -139,6 +139,7 @@ TEST_F(ClusterStoreTest, LinksThatNoClusterNeedsAnyMoreAreRemoved) {
     commit(iteration);
   }
   EXPECT_EQ(link_files(layout), (std::set<std::string>{"rank-0.links-2.0", "rank-1.links-1.0"}));
+  read(a, cluster_b, Section::patches);  // they say where the links lie
   EXPECT_EQ(read(a, cluster_b, Section::links), text("links of b"));
 }
 
@@ -148,6 +149,7 @@ TEST_F(ClusterStoreTest, ARankThatGathersForNoneLeavesTheFilesOfOthersAlone) {
   b.move_to_common();
   commit(1);
   for (int iteration = 2; iteration <= 3; ++iteration) {
+    for (const ClusterId id : {cluster_a, cluster_b}) read(a, id, Section::patches);
     write(a, cluster_a, std::to_string(iteration));
     write(a, cluster_b, std::to_string(iteration));
     a.move_to_common();

@@ -23,6 +23,7 @@ struct ResidentClustersTest : testing::Test {
 
   ResidentClustersTest() {
     for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
+    store.end_initial();
   }
   /// Bytes that one of the clusters takes where there is a budget.
   std::uint64_t size() {
