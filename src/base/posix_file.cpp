@@ -129,8 +129,15 @@ void exchange_file(const std::string& from, const std::string& to) {
 void move_file(const std::string& from, const std::string& to) {
   if (std::rename(from.c_str(), to.c_str()) == 0) return;
   if (errno != EXDEV) fail(to, "cannot be put in place", errno);
-  const std::vector<std::byte> bytes = read_file(from);
-  replace_file(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+  AtomicFile copy(to);
+  for (std::uint64_t done = 0;;) {
+    const std::vector<std::byte> bytes = read_part(from, done, piece_bytes);
+    if (bytes.empty()) break;
+    copy.add({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    done += bytes.size();
+  }
+  copy.commit(false);
   ::unlink(from.c_str());
 }
 

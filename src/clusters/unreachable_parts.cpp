@@ -246,7 +246,7 @@ std::vector<CellPiece> cut_unreachable_parts(const Scene& scene, std::span<const
     const std::uint64_t steps =
         left / (pieces.size() - i) * std::max(least_shares, segments.size());
     PieceCut one(i, piece.polygon, std::move(segments), walk, config, tolerance_m, min_length_m,
-                 walk.steps() + std::min(steps, left),
+                 walk.steps() + std::min(steps, left / 4),
                  Random(config.seed * 0x9E3779B97F4A7C15ull + i));
     std::vector<Part> parts = one.parts();
     if (std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.unreachable; }))

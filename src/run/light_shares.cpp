@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* shares_remedy =
     "find the shares again with 'enfilade solve RUN --resume --shares'";
-constexpr SealedFormat index_format{"enfilade-shares", 1, shares_remedy};
+constexpr SealedFormat index_format{"enfilade-shares", 2, shares_remedy};
 
 std::string directory_of(const std::string& run_directory) { return run_directory + "/shares"; }
 
@@ -45,6 +45,7 @@ ShareIndex index_from(const nlohmann::ordered_json& json) {
   ShareIndex index;
   index.names = json.at("names").get<std::vector<std::string>>();
   index.per_file = json.at("per_file");
+  index.ranks = json.at("ranks");
   index.iterations = json.at("iterations");
   index.converged = json.at("converged");
   index.difference = json.at("difference");
@@ -70,7 +71,7 @@ std::vector<SegmentIndex> share_segments(const std::string& run_directory, const
   std::vector<SegmentIndex> segments;
   for (std::size_t first = 0; first < index.names.size(); first += index.per_file)
     segments.emplace_back(directory_of(run_directory), kind_of(manifest, index, first),
-                          manifest.clusters);
+                          manifest.clusters, index.ranks);
   return segments;
 }
 
@@ -158,6 +159,7 @@ void write_share_index(const std::string& run_directory, const Manifest& manifes
                                                               {"iteration", manifest.iteration},
                                                               {"names", index.names},
                                                               {"per_file", index.per_file},
+                                                              {"ranks", index.ranks},
                                                               {"iterations", index.iterations},
                                                               {"converged", index.converged},
                                                               {"difference", index.difference},

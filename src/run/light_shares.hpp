@@ -20,6 +20,7 @@ namespace enfilade {
 struct ShareIndex {
   std::vector<std::string> names;  ///< of the groups, as share_groups() has them
   std::size_t per_file = 1;        ///< shares in each file; the last has the rest
+  int ranks = 1;                   ///< that wrote the files
   int iterations = 0;
   bool converged = true;
   /// Sum of all shares less the whole light, before the sum is made the whole: area-weighted L1,

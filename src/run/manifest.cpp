@@ -30,6 +30,7 @@ Manifest manifest_from(const nlohmann::ordered_json& json) {
   Manifest m;
   m.iteration = json.at("iteration");
   m.clusters = json.at("clusters");
+  m.ranks = json.at("ranks");
   m.basis = json.at("basis") == "linear" ? Basis::linear : Basis::constant;
   m.hierarchy = json.at("hierarchy") == "building" ? Hierarchy::building : Hierarchy::clusters;
   m.scene_hash = hash_from_text(json.at("scene_hash").get<std::string>());
@@ -78,6 +79,7 @@ void commit_manifest(const RunLayout& layout, const Manifest& m) {
   for (const auto& numbers : m.history) history.push_back(finite(numbers));
   const nlohmann::ordered_json json = {{"iteration", m.iteration},
                                        {"clusters", m.clusters},
+                                       {"ranks", m.ranks},
                                        {"basis", m.basis == Basis::linear ? "linear" : "constant"},
                                        {"hierarchy", name_of(m.hierarchy)},
                                        {"scene_hash", hash_text(m.scene_hash)},

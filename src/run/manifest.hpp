@@ -14,13 +14,14 @@
 
 namespace enfilade {
 
-/// 10: kept light, extrapolation. 9: sums of rows, relaxation. 8: checksum, run and preparation. 7:
-/// the building's hierarchy.
-inline constexpr int manifest_version = 10;
+/// 11: segments. 10: kept light, extrapolation. 9: sums of rows, relaxation. 8: checksum, run and
+/// preparation. 7: the building's hierarchy.
+inline constexpr int manifest_version = 11;
 
 struct Manifest {
   int iteration = 0;  ///< the last committed one; 0 = the state before the first
   std::size_t clusters = 0;
+  int ranks = 1;  ///< as many as have written the segments, in all iterations
   Basis basis = Basis::constant;
   Hierarchy hierarchy = Hierarchy::building;
   std::uint64_t scene_hash = 0;

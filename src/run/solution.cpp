@@ -9,11 +9,11 @@ SolutionReader::SolutionReader(const RunLayout& layout, const Manifest& manifest
       common_(layout.common()),
       manifest_(manifest),
       geometry_(common_, {RunLayout::geometry(), Section::geometry, 0, manifest.run},
-                manifest.clusters),
+                manifest.clusters, manifest.ranks),
       patches_(common_,
                {RunLayout::patches(RunLayout::slot_of(manifest.iteration)), Section::patches,
                 static_cast<std::uint32_t>(manifest.iteration), manifest.run},
-               manifest.clusters) {}
+               manifest.clusters, manifest.ranks) {}
 
 ClusterState SolutionReader::read(ClusterId id, bool links) const {
   const SectionFile geometry = geometry_.read(id), patches = patches_.read(id);

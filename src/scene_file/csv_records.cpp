@@ -54,12 +54,7 @@ class CsvReader {
   CsvReader(std::string_view text, const std::string& path) : text_(text), path_(path) {
     if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
     separator_ = separator_of(text_);
-    if (const std::string_view told = text_.substr(0, text_.find('\n'));
-        told.starts_with("sep=") && trimmed(told).size() == 5) {
-      separator_ = told[4];
-      at_ = std::min(told.size() + 1, text_.size());
-      ++line_;
-    }
+    take_told_separator();
     ends_ = {separator_, '\n'};
     blanks_ = separator_ == '\t' ? " " : " \t";
   }
@@ -86,6 +81,19 @@ class CsvReader {
   }
 
  private:
+  /// A first line such as "sep=;", by which spreadsheets say what separates the fields.
+  void take_told_separator() {
+    constexpr std::string_view head = "sep=";
+    std::string_view line = text_.substr(0, text_.find('\n'));
+    const std::size_t next = std::min(line.size() + 1, text_.size());
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.size() != head.size() + 1 || !line.starts_with(head)) return;
+    if (std::string_view(",;\t|").find(line.back()) == std::string_view::npos) return;
+    separator_ = line.back();
+    at_ = next;
+    ++line_;
+  }
+
   /// Ends at a separator, a line's end or the file's.
   std::string next_field(const CsvRecord& record) {
     const std::size_t begin = text_.find_first_not_of(blanks_, at_);

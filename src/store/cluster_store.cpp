@@ -6,11 +6,12 @@
 
 namespace enfilade {
 
-ClusterStore::ClusterStore(const RunLayout& layout, std::uint64_t run, Rank rank,
+ClusterStore::ClusterStore(const RunLayout& layout, std::uint64_t run, Rank rank, int ranks,
                            std::size_t clusters, Machine& machine)
     : layout_(layout),
       local_directory_(layout.local_of(rank)),
       rank_(rank),
+      ranks_(ranks),
       machine_(machine),
       charges_(machine, clusters),
       run_(run),
@@ -76,7 +77,7 @@ const SegmentIndex& ClusterStore::index_of(Section section) {
   if (!index)
     index = std::make_unique<SegmentIndex>(
         layout_.common(), kind(section, section == Section::geometry ? 0 : iteration),
-        links_.size());
+        links_.size(), ranks_);
   return *index;
 }
 

@@ -19,9 +19,9 @@ namespace enfilade {
 class ClusterStore final : public ClusterFiles {
  public:
   /// Makes the rank's local directory, empty; the directory is removed with the store.
-  /// `run`: Manifest::run.
-  ClusterStore(const RunLayout& layout, std::uint64_t run, Rank rank, std::size_t clusters,
-               Machine& machine);
+  /// `run`: Manifest::run; `ranks`: as many as have written into the common directory, or more.
+  ClusterStore(const RunLayout& layout, std::uint64_t run, Rank rank, int ranks,
+               std::size_t clusters, Machine& machine);
   ~ClusterStore() override;
   ClusterStore(const ClusterStore&) = delete;
   ClusterStore& operator=(const ClusterStore&) = delete;
@@ -52,6 +52,7 @@ class ClusterStore final : public ClusterFiles {
   RunLayout layout_;
   std::string local_directory_;
   Rank rank_;
+  int ranks_;
   Machine& machine_;
   SectionCharges charges_;
   std::uint64_t run_ = 0;

@@ -91,7 +91,7 @@ def exchange(rng, runs, directory, name):
     """Puts the file of a neighbour in its place: of another cluster or iteration, or of another run."""
     path = directory / name
     pattern = re.sub(r"\d+", "*", path.name)
-    near = [p for p in (directory / name.parent).glob(re.sub(r"-[ab]$", "-*", pattern)) if p != path]
+    near = [p for p in (directory / name.parent).glob(re.sub(r"-[ab]\.", "-*.", pattern)) if p != path]
     near += [directory / "costs" / str(k) / name.name for k in range(9)] if name.parts[0] == "costs" else []
     near += [other / name for other in runs.others + [runs.half if directory.name == "whole" else runs.whole]]
     near = [p for p in near if p.is_file() and p.read_bytes() != path.read_bytes()]

@@ -50,7 +50,7 @@ class Kills:
             start = time.monotonic()
             self.undisturbed({"LD_PRELOAD": options.preload, "NTH_UNDER": str(self.directory), "NTH_COUNT": str(counts), "NTH_MATCH": match})
             self.seconds = time.monotonic() - start
-            self.calls[place] = sum(map(int, counts.read_text().split()))
+            self.calls[place] = min(map(int, counts.read_text().split()))  # of one rank: each has files of its own
         assert any(map(any, answers(self.directory))), "the scene is dark at its probes: any answer would be the right one"
         self.faults, self.turn = [], 0
         self.tried = dict.fromkeys((*PLACES, MOMENT, "a stop"), 0)
@@ -113,8 +113,8 @@ class Kills:
                                                "NTH_TOLD": str(self.told), "NTH_RANK": str(rank)})
 
     def kill_at_a_call(self, place, ranks, resume):
-        # Several ranks share the calls, and a resumed run has fewer of them.
-        n = self.rng.randrange(1, max(2, self.calls[place] // (ranks * (4 if resume else 1))))
+        # A resumed run has fewer calls.
+        n = self.rng.randrange(1, max(2, self.calls[place] // (4 if resume else 1)))
         self.wait(self.start_to_act(ranks, place, n, "kill", *resume))
         return self.told.exists()
 
@@ -151,7 +151,7 @@ class Kills:
 
     def stop(self, ranks):
         self.tried["a stop"] += 1
-        launcher = self.start_to_act(ranks, "an iteration", self.rng.randrange(1, max(2, self.calls["an iteration"] // ranks)), "stop")
+        launcher = self.start_to_act(ranks, "an iteration", self.rng.randrange(1, max(2, self.calls["an iteration"] // 2)), "stop")
         pid = self.stopped_rank(launcher)
         if pid is not None:
             self.fell["a stop"] += 1

@@ -15,6 +15,8 @@ std::vector<double> doubles(std::span<const std::byte> bytes) {
   return values;
 }
 
+constexpr int most_ranks = 64;
+
 SegmentKind patches_of(int iteration) {
   return {RunLayout::patches(RunLayout::slot_of(iteration)), Section::patches,
           static_cast<std::uint32_t>(iteration), 0};
@@ -80,13 +82,12 @@ LinearSystemWork::LinearSystemWork(const LinearSystem& system, const RunLayout& 
     : system_(system),
       layout_(layout),
       machine_(machine),
-      store_(layout, 0, rank, system.blocks, machine),
+      store_(layout, 0, rank, most_ranks, system.blocks, machine),
       labour_(std::move(labour)) {}
 
 void LinearSystemWork::initialise() {
+  remove_directory(layout_.common());
   make_directory(layout_.common());
-  remove_manifest(layout_);
-  remove_segments(layout_.common());
   SegmentWriter writer(layout_.common(), patches_of(0), Rank{0});
   for (std::size_t i = 0; i < system_.blocks; ++i) {
     const ClusterId id(i);
@@ -144,7 +145,8 @@ void LinearSystemWork::commit(const std::vector<IterationSummary>& history, std:
 std::vector<double> LinearSystemWork::committed(const LinearSystem& system,
                                                 const RunLayout& layout) {
   const Manifest manifest = read_manifest(layout).value();
-  const SegmentIndex index(layout.common(), patches_of(manifest.iteration), system.blocks);
+  const SegmentIndex index(layout.common(), patches_of(manifest.iteration), system.blocks,
+                           most_ranks);
   std::vector<double> x;
   for (std::size_t i = 0; i < system.blocks; ++i) {
     const std::vector<double> v = doubles(index.read(ClusterId(i)).bytes);

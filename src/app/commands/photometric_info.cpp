@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "json/input_file.hpp"
 #include "json/model_files.hpp"
 #include "photometry/files/photometric_file.hpp"
 
@@ -38,7 +37,7 @@ void add_photometric_file(TextTable& table, const std::string& path, const Conso
     if (!files.allowed(side) || !ModelFiles::exists(side)) return std::nullopt;
     return files.read(side, {path, "TILT"});
   };
-  const PhotometricFile file = read_photometric_file(read_text(path), path, warnings, beside);
+  const PhotometricFile file = read_photometric_file(files.read_model(), path, warnings, beside);
   const IntensityTable& intensities = file.distribution->table();
   const PhotometricFigures figures = figures_of(*file.distribution);
   table.add("format", file.format);

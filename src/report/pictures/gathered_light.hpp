@@ -64,7 +64,8 @@ class PictureLight {
   std::size_t places() const { return reflected_.places.size(); }
 
  private:
-  /// A place that was gathered at: in the middle of a pixel, as far as its light is averaged.
+  /// A place that was gathered at: what the first ray of a pixel met. In averages it counts as the
+  /// pixel's middle.
   struct Place {
     int x, y;
     std::uint32_t plane, polygon;

@@ -14,7 +14,8 @@ namespace enfilade {
 
 struct RenderConfig {
   int width = 960, height = 540;
-  int samples = 4;  ///< rays per pixel, on a jittered grid; two where both meet one polygon
+  int samples =
+      4;  ///< rays per pixel, on a jittered grid; one where no edge is near (first_surfaces.hpp)
   /// Rays over the hemisphere of each place at which light is gathered from the solution
   /// (gathered_light.hpp), so that no patches show; 0 = the light of the patches.
   int gather_rays = 64;

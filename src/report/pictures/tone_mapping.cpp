@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace enfilade {
 
@@ -95,13 +96,19 @@ Bitmap tone_mapped(const LightImage& image, const ToneConfig& config) {
   // shows the sky alone, it is for the sky.
   const bool things = std::ranges::any_of(
       image.pixels, [](const auto& p) { return p.cover > 0.0f && p.sky == 0.0f; });
-  // The exposure is no better for all pixels of a large picture than for some of them. An odd
-  // stride takes them from all columns.
-  const std::size_t stride = 1 + image.pixels.size() / most_for_exposure / 2 * 2;
-  for (std::size_t i = 0; i < image.pixels.size(); i += stride) {
-    const LightImage::Pixel& p = image.pixels[i];
-    const double weight = !things ? p.cover + p.sky : p.sky > 0.0f ? 0.0f : p.cover;
-    luminances.emplace_back(luminance(light_of(p)), weight);
+  // The exposure is no better for all pixels of a large picture than for some of them, from all
+  // columns; where none of these shows a thing, it is for all.
+  std::size_t stride = std::max<std::size_t>(1, image.pixels.size() / most_for_exposure);
+  while (std::gcd(stride, static_cast<std::size_t>(image.width)) != 1) ++stride;
+  for (double found = 0.0; found <= 0.0; stride = 1) {
+    luminances.clear();
+    for (std::size_t i = 0; i < image.pixels.size(); i += stride) {
+      const LightImage::Pixel& p = image.pixels[i];
+      const double weight = !things ? p.cover + p.sky : p.sky > 0.0f ? 0.0f : p.cover;
+      found += weight;
+      luminances.emplace_back(luminance(light_of(p)), weight);
+    }
+    if (stride == 1) break;
   }
   const ToneMap map(std::move(luminances), config);
   Bitmap bitmap(image.width, image.height);

@@ -14,13 +14,13 @@
 #include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "base/posix_file.hpp"
+#include "run/sections/run_layout.hpp"
 
 namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> segment_mark = {'E', 'N', 'F', 'S', 'E', 'G', 'M', '\n'};
 constexpr std::uint32_t segment_version = 1;
-constexpr std::uint64_t most_part_bytes = std::uint64_t{1} << 30;
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 /// Of the table's end: version, section, iteration, run, number of entries, checksum, mark.
 constexpr std::size_t end_bytes = 2 * sizeof(std::uint32_t) + 1 + 3 * sizeof(std::uint64_t) + 8;
@@ -50,6 +50,15 @@ std::optional<SegmentName> segment_name(std::string_view file) {
   if (!take_number(file.substr(last + 1), name.part)) return {};
   name.kind = file.substr(first + 1, last - first - 1);
   return name;
+}
+
+std::optional<std::uint32_t> iteration_of_links(const SegmentName& name) {
+  constexpr std::string_view head = "links-";
+  std::uint32_t iteration = 0;
+  if (!name.kind.starts_with(head) ||
+      !take_number(std::string_view(name.kind).substr(head.size()), iteration))
+    return {};
+  return iteration;
 }
 
 std::vector<SegmentName> segments_in(const std::string& directory) {
@@ -84,11 +93,13 @@ std::vector<std::byte> table_bytes(const SegmentKind& kind, std::span<const Segm
   return w.take();
 }
 
-/// Returns the table of a segment; none where it is of another run or iteration.
-std::vector<SegmentEntry> read_table(const std::string& path, const SegmentKind& kind,
-                                     const SegmentName& name) {
+/// Returns the table of a part; none where it is missing or of another run or iteration.
+std::optional<std::vector<SegmentEntry>> read_table(const std::string& path,
+                                                    const SegmentKind& kind, Rank rank,
+                                                    std::uint32_t part) {
   std::error_code code;
   const std::uint64_t size = std::filesystem::file_size(path, code);
+  if (code == std::errc::no_such_file_or_directory) return {};
   if (code || size < end_bytes) refuse_damaged(path, "the file is cut short");
   const std::vector<std::byte> end = read_part(path, size - end_bytes, end_bytes);
   ByteReader last(end, path);
@@ -110,12 +121,12 @@ std::vector<SegmentEntry> read_table(const std::string& path, const SegmentKind&
   if (sum.get<std::uint64_t>() != checksum(std::span<const std::byte>(table).first(summed)))
     refuse_damaged(path, "the table is damaged (checksum)");
   std::vector<SegmentEntry> entries;
-  if (section != kind.section || iteration != kind.iteration || run != kind.run) return entries;
+  if (section != kind.section || iteration != kind.iteration || run != kind.run) return {};
   ByteReader r(table, path);
   for (std::uint64_t i = 0; i < count; ++i) {
     SegmentEntry entry;
     entry.cluster = r.get<ClusterId>();
-    entry.at = {name.rank, name.part, r.get<std::uint64_t>()};
+    entry.at = {rank, part, r.get<std::uint64_t>()};
     entry.links = get_links(r);
     entries.push_back(entry);
   }
@@ -130,8 +141,12 @@ std::string segment_path(const std::string& directory, const std::string& kind, 
          std::to_string(part);
 }
 
-SegmentWriter::SegmentWriter(std::string directory, SegmentKind kind, Rank rank)
-    : directory_(std::move(directory)), kind_(std::move(kind)), rank_(rank) {}
+SegmentWriter::SegmentWriter(std::string directory, SegmentKind kind, Rank rank,
+                             std::uint64_t most_part_bytes)
+    : directory_(std::move(directory)),
+      kind_(std::move(kind)),
+      rank_(rank),
+      most_part_bytes_(most_part_bytes) {}
 
 SegmentWriter::~SegmentWriter() {
   if (file_ >= 0) ::close(file_);
@@ -153,17 +168,21 @@ void SegmentWriter::flush() {
 SegmentPlace SegmentWriter::put(const SectionInfo& info, std::span<const std::byte> bytes) {
   const std::vector<std::byte> header = section_header(info, bytes);
   const std::size_t size = header.size() + bytes.size();
-  if (file_ >= 0 && written_ + size > most_part_bytes) {
+  if (file_ >= 0 && written_ + size > most_part_bytes_) {
     end_part();
     ++part_;
   }
   if (file_ < 0) open();
   const SegmentPlace at{rank_, part_, written_};
-  for (const std::span<const std::byte> some : {std::span<const std::byte>(header), bytes})
-    buffer_.insert(buffer_.end(), some.begin(), some.end());
+  buffer_.insert(buffer_.end(), header.begin(), header.end());
   written_ += size;
   table_.push_back({info.place.cluster, at, info.links});
-  if (buffer_.size() > buffer_bytes) flush();
+  if (buffer_.size() + bytes.size() > buffer_bytes) flush();
+  if (bytes.size() > buffer_bytes) {
+    write_all(file_, path(), bytes);
+  } else {
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  }
   return at;
 }
 
@@ -190,17 +209,31 @@ std::uint32_t SegmentWriter::end() {
   return part_ + 1;
 }
 
-SegmentIndex::SegmentIndex(const std::string& directory, SegmentKind kind, std::size_t clusters)
+SegmentIndex::SegmentIndex(const std::string& directory, SegmentKind kind, std::size_t clusters,
+                           int ranks)
     : directory_(directory), kind_(std::move(kind)), entries_(clusters) {
-  for (const SegmentName& name : segments_in(directory)) {
-    if (name.kind != kind_.name) continue;
-    const std::string path = segment_path(directory, name.kind, name.rank, name.part);
-    for (const SegmentEntry& entry : read_table(path, kind_, name)) {
-      if (entry.cluster.index() >= clusters)
-        refuse_damaged(path, "holds a cluster that there is not");
-      entries_[entry.cluster.index()] = entry;
+  for (Rank rank{0}; rank.value < ranks; ++rank.value) {
+    for (std::uint32_t part = 0; add_table(rank, part); ++part) {
     }
   }
+}
+
+/// False where there is no such part.
+bool SegmentIndex::add_table(Rank rank, std::uint32_t part) {
+  const std::string path = segment_path(directory_, kind_.name, rank, part);
+  const auto table = read_table(path, kind_, rank, part);
+  if (!table) return false;
+  for (const SegmentEntry& entry : *table) {
+    if (entry.cluster.index() >= entries_.size())
+      refuse_damaged(path, "holds a cluster that there is not");
+    std::optional<SegmentEntry>& known = entries_[entry.cluster.index()];
+    if (known && known->at.rank != rank) {
+      refuse_damaged(path, "holds cluster " + std::to_string(entry.cluster.value) +
+                               ", and so does rank " + std::to_string(known->at.rank.value));
+    }
+    known = entry;
+  }
+  return true;
 }
 
 const SegmentEntry& SegmentIndex::at(ClusterId id) const {
@@ -221,30 +254,29 @@ SectionFile SegmentIndex::read(ClusterId id) const {
 
 std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> SegmentIndex::links() const {
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> named;
-  for (const auto& entry : entries_) {
-    if (!entry) continue;
-    const LinksPlace& links = entry->links;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const LinksPlace& links = at(ClusterId(i)).links;
     named.insert({links.iteration, static_cast<std::uint32_t>(links.at.rank.value), links.at.part});
   }
   return named;
 }
 
 void remove_unused_links(const std::string& directory, const SegmentIndex& committed_patches) {
-  constexpr std::string_view head = "links-";
   const auto named = committed_patches.links();
   for (const SegmentName& name : segments_in(directory)) {
-    std::uint32_t iteration = 0;
-    if (!name.kind.starts_with(head) ||
-        !take_number(std::string_view(name.kind).substr(head.size()), iteration))
-      continue;
-    if (!named.contains({iteration, static_cast<std::uint32_t>(name.rank.value), name.part}))
+    const auto iteration = iteration_of_links(name);
+    if (iteration && *iteration <= committed_patches.kind().iteration &&
+        !named.contains({*iteration, static_cast<std::uint32_t>(name.rank.value), name.part}))
       remove_segment(directory, name);
   }
 }
 
-void remove_segments(const std::string& directory, const std::string& kind) {
-  for (const SegmentName& name : segments_in(directory))
-    if (kind.empty() || name.kind == kind) remove_segment(directory, name);
+void remove_later_segments(const std::string& directory, std::uint32_t committed) {
+  const std::string later = RunLayout::patches(RunLayout::slot_of(static_cast<int>(committed) + 1));
+  for (const SegmentName& name : segments_in(directory)) {
+    if (name.kind == later || iteration_of_links(name).value_or(0) > committed)
+      remove_segment(directory, name);
+  }
 }
 
 }  // namespace enfilade

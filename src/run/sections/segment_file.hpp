@@ -34,10 +34,13 @@ struct SegmentEntry {
   LinksPlace links;  ///< of patches
 };
 
-/// Writes a rank's segment of one kind. No part becomes larger than a 32-bit tool can read.
+/// Writes a rank's segment of one kind.
 class SegmentWriter {
  public:
-  SegmentWriter(std::string directory, SegmentKind kind, Rank rank);
+  /// `most_part_bytes`: a part ends before that, unless one section alone is larger, so that 32-bit
+  /// tools can read it.
+  SegmentWriter(std::string directory, SegmentKind kind, Rank rank,
+                std::uint64_t most_part_bytes = std::uint64_t{1} << 30);
   /// What was not ended is no segment.
   ~SegmentWriter();
   SegmentWriter(const SegmentWriter&) = delete;
@@ -61,6 +64,7 @@ class SegmentWriter {
   std::string directory_;
   SegmentKind kind_;
   Rank rank_;
+  std::uint64_t most_part_bytes_;
   int file_ = -1;
   std::uint32_t part_ = 0;
   std::uint64_t written_ = 0;        ///< bytes of this part, those in `buffer_` among them
@@ -71,26 +75,33 @@ class SegmentWriter {
 /// Where each cluster's section of one kind lies, by the tables of all ranks' segments.
 class SegmentIndex {
  public:
-  /// Reads the tables in `directory`. Segments of another run or iteration are passed over: a slot
-  /// may hold some of ranks that are no more. Throws RunError for a damaged table.
-  SegmentIndex(const std::string& directory, SegmentKind kind, std::size_t clusters);
+  /// Reads the tables in `directory` of ranks 0 .. ranks - 1, by their names: a listing may lag
+  /// behind on a network's disk. Segments of another run or iteration are passed over: ranks that
+  /// gathered for no cluster have left theirs. Throws RunError for a damaged table and a cluster of
+  /// two ranks.
+  SegmentIndex(const std::string& directory, SegmentKind kind, std::size_t clusters, int ranks);
 
   /// Throws RunError where the cluster is in none of them.
   const SegmentEntry& at(ClusterId id) const;
   SectionFile read(ClusterId id) const;
-  /// Returns the segments of links that the patches name: iteration, rank and part.
+  const SegmentKind& kind() const { return kind_; }
+  /// Returns the segments of links that the patches name: iteration, rank and part. Throws RunError
+  /// where a cluster is in no segment.
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> links() const;
 
  private:
+  bool add_table(Rank rank, std::uint32_t part);
+
   std::string directory_;
   SegmentKind kind_;
   std::vector<std::optional<SegmentEntry>> entries_;  ///< by cluster
 };
 
-/// Removes the segments of links that no committed patches name: newer ones replace all of theirs,
-/// or the iteration that wrote them was never committed.
+/// Removes segments of links of the committed iteration and those before it that its patches do not
+/// name: newer ones replace all of theirs. Later ones may be those of a rank that is ahead.
 void remove_unused_links(const std::string& directory, const SegmentIndex& committed_patches);
-/// Removes all segments of one kind, or, for an empty name, of all kinds.
-void remove_segments(const std::string& directory, const std::string& kind = {});
+/// Removes what ranks that are no more may have left of iterations after the committed one. No rank
+/// may write yet.
+void remove_later_segments(const std::string& directory, std::uint32_t committed);
 
 }  // namespace enfilade

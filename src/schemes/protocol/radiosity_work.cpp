@@ -140,6 +140,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   Manifest manifest;
   manifest.iteration = history.empty() ? 0 : history.back().plan.iteration;
   manifest.clusters = prepared_.clusters.size();
+  manifest.ranks = config_.ranks;
   manifest.basis = config_.gather.basis;
   manifest.hierarchy = field_.hierarchy();
   manifest.scene_hash = prepared_.scene.hash;
@@ -151,6 +152,7 @@ void RadiosityWork::commit(const std::vector<IterationSummary>& history,
   for (const IterationSummary& summary : history) manifest.history.push_back(to_numbers(summary));
   const PhaseScope phase(machine_, Phase::commit);
   commit_manifest(layout_, manifest);
+  if (finished) files_.set_committed(manifest.iteration);  // what it replaces can go
 }
 
 }  // namespace enfilade

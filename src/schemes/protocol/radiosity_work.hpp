@@ -23,6 +23,7 @@ struct RadiosityWorkConfig {
   std::uint64_t memory_bytes = 0;  ///< budget for clusters; 0 = no limit
   MemoryManager memory_manager = MemoryManager::own;
   std::uint64_t run = 0;  ///< Manifest::run
+  int ranks = 1;          ///< Manifest::ranks
 };
 
 class RadiosityWork final : public ClusterWork {

@@ -187,16 +187,16 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
   const RunLayout layout(config.run_directory, config.local_directory);
   const std::uint64_t memory =
       config.memory_bytes > 0 ? config.memory_bytes : run.machine.memory_bytes();
-  run.communicator.on_root([&] { make_directory(layout.common()); });
+  make_directory(layout.common());  // any rank may be the first
   const VisibilityCost cost = tour_cost(prepared, config.gather.basis, memory);
-  ClusterStore store(layout, run.manifest.run, run.communicator.rank(), prepared.clusters.size(),
-                     run.machine);
+  ClusterStore store(layout, run.manifest.run, run.communicator.rank(), run.communicator.size(),
+                     prepared.clusters.size(), run.machine);
   const SchemeParts parts{config, prepared, run.own, cost, store, run.communicator, run.machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
   CostRecorder recorder(layout.run, run.manifest.run, run.communicator.rank(), config.method);
   RadiosityWork work(prepared, layout, scheme->files(), run.machine, recorder,
                      {config.gather, config.method, run.manifest.hierarchy, memory,
-                      config.memory_manager, run.manifest.run});
+                      config.memory_manager, run.manifest.run, run.communicator.size()});
   for (const ClusterId id : run.own) {
     const ClusterState whole = run.solution.read(id, true);
     if (first == 0) remainder.begin(whole);
@@ -263,6 +263,7 @@ ShareIndex solve_shares(const SolveConfig& config, Prepared& prepared, Communica
   groups = share_groups(prepared.scene);
   const auto bands = static_cast<std::size_t>(prepared.scene.bands);
   ShareIndex index;
+  index.ranks = communicator.size();
   index.per_file = std::max<std::size_t>(1, most_bands / bands);
   for (const ShareGroup& group : groups) index.names.push_back(group.name);
   const std::vector<ClusterId> own =

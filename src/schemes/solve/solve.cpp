@@ -58,13 +58,12 @@ std::optional<Manifest> manifest_to_resume(const SolveConfig& config, const Prep
 /// committed has left, perhaps by ranks that are no more, would be taken for the next one's.
 void clear_common(const RunLayout& layout, const std::optional<Manifest>& committed) {
   if (committed) {
-    remove_segments(layout.common(),
-                    RunLayout::patches(RunLayout::slot_of(committed->iteration + 1)));
+    remove_later_segments(layout.common(), static_cast<std::uint32_t>(committed->iteration));
     return;
   }
-  make_directory(layout.common());
   remove_manifest(layout);
-  remove_segments(layout.common());
+  remove_directory(layout.common());
+  make_directory(layout.common());
 }
 
 /// Writes RUN/common as it is before the first iteration. Each rank makes the files of the clusters
@@ -130,7 +129,8 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const std::uint64_t run = manifest ? manifest->run : name_of_run(config, prepared);
   // Local directories of ranks of earlier runs, which may have been more than these.
   communicator.on_root([&] { remove_directory(layout.local); });
-  ClusterStore store(layout, run, communicator.rank(), prepared.clusters.size(), machine);
+  const int ranks = std::max(communicator.size(), manifest ? manifest->ranks : 0);
+  ClusterStore store(layout, run, communicator.rank(), ranks, prepared.clusters.size(), machine);
   const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
   CostRecorder recorder(layout.run, run, communicator.rank(), config.method);
@@ -138,7 +138,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   gather.basis = basis;
   const Hierarchy hierarchy = manifest ? manifest->hierarchy : config.topmost();
   RadiosityWork work(prepared, layout, scheme->files(), machine, recorder,
-                     {gather, config.method, hierarchy, memory, config.memory_manager, run});
+                     {gather, config.method, hierarchy, memory, config.memory_manager, run, ranks});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
     if (manifest->iteration > 0) work.restore_far_light(manifest->iteration);

@@ -25,6 +25,9 @@ TEST(ProbeTableFile, KeepsItsSeparatorAndDecimalSign) {
   EXPECT_EQ(probes[0].p, Vec3(1.5, 2, 0.75));
   EXPECT_EQ(answered("sep=;\r\nx;y;z\r\n1,5;2;0,75\r\n"),
             "x;y;z;E;error;unit;from;\"E by desk; left\"\n1,5;2;0,75;12,5;0,5;lx;gather;2,5\n");
+  EXPECT_EQ(
+      answered("sep=\t\nx\ty\tz\n1.5\t2\t0.75\n"),
+      "x\ty\tz\tE\terror\tunit\tfrom\tE by desk; left\n1.5\t2\t0.75\t12.5\t0.5\tlx\tgather\t2.5\n");
   EXPECT_EQ(answered("# points\n1.5;2;0.75\n"),
             "x;y;z;E;error;unit;from;\"E by desk; left\"\n1.5;2;0.75;12.5;0.5;lx;gather;2.5\n");
   EXPECT_EQ(answered("x\ty\tz\n1.5\t2\t0.75\n", &probes),

@@ -46,7 +46,7 @@ struct ClusterStoreTest : testing::Test {
   RunLayout layout = fresh_run(testing::UnitTest::GetInstance()->current_test_info()->name());
   CountingMachine machine;
   Rooms rooms{2};
-  ClusterStore a{layout, 5, Rank{0}, 2, machine}, b{layout, 5, Rank{1}, 2, machine};
+  ClusterStore a{layout, 5, Rank{0}, 2, 2, machine}, b{layout, 5, Rank{1}, 2, 2, machine};
 
   ClusterStoreTest() {
     for (std::size_t i = 0; i < 2; ++i) a.write_initial(rooms.state(i));
@@ -87,7 +87,7 @@ TEST_F(ClusterStoreTest, ACrashAfterSomeHaveMovedLeavesTheCommittedIterationWhol
   write(a, cluster_a, "zero 2", "links zero 2");
   write(b, cluster_b, "one 2", "links one 2");
   a.move_to_common();  // and then everything dies
-  ClusterStore fresh(layout, 5, Rank{1}, 2, machine);
+  ClusterStore fresh(layout, 5, Rank{1}, 2, 2, machine);
   fresh.set_committed(1);
   EXPECT_EQ(read(fresh, cluster_a, Section::patches), text("zero 1"));
   EXPECT_EQ(read(fresh, cluster_a, Section::links), text("links zero 1"));
@@ -141,6 +141,18 @@ TEST_F(ClusterStoreTest, LinksThatNoClusterNeedsAnyMoreAreRemoved) {
   EXPECT_EQ(link_files(layout), (std::set<std::string>{"rank-0.links-2.0", "rank-1.links-1.0"}));
   read(a, cluster_b, Section::patches);  // they say where the links lie
   EXPECT_EQ(read(a, cluster_b, Section::links), text("links of b"));
+}
+
+TEST_F(ClusterStoreTest, LinksOfARankThatIsAheadStay) {
+  write(a, cluster_a, "1", "l");
+  write(b, cluster_b, "1", "l");
+  a.move_to_common();
+  b.move_to_common();
+  b.set_committed(1);
+  write(b, cluster_b, "2", "links 2");
+  b.move_to_common();
+  a.set_committed(1);
+  EXPECT_TRUE(link_files(layout).contains("rank-1.links-2.0"));
 }
 
 TEST_F(ClusterStoreTest, ARankThatGathersForNoneLeavesTheFilesOfOthersAlone) {

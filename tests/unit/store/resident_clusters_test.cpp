@@ -19,7 +19,7 @@ struct ResidentClustersTest : testing::Test {
   RunLayout layout = fresh_run(testing::UnitTest::GetInstance()->current_test_info()->name());
   CountingMachine machine;
   Rooms rooms{6};
-  ClusterStore store{layout, 0, Rank{0}, 6, machine};
+  ClusterStore store{layout, 0, Rank{0}, 2, 6, machine};
 
   ResidentClustersTest() {
     for (std::size_t i = 0; i < 6; ++i) store.write_initial(rooms.state(i));
@@ -51,14 +51,14 @@ TEST_F(ResidentClustersTest, OwnGathersStayOthersAreReadAgain) {
   resident.write_receiver(id(0), false);
   resident.unpin();
   store.move_to_common();
-  store.set_committed(1);
   // Another rank has gathered for cluster 1 meanwhile.
   CountingMachine elsewhere;
-  ClusterStore other(layout, 0, Rank{1}, 6, elsewhere);
+  ClusterStore other(layout, 0, Rank{1}, 2, 6, elsewhere);
   ResidentClusters others(other, elsewhere, 0);
   others.pin_receiver(id(1)).patches().radiosity(0)[0] = 43.0;
   others.write_receiver(id(1), false);
   other.move_to_common();
+  store.set_committed(1);
 
   const std::uint64_t loads = resident.count().loads;
   EXPECT_EQ(resident.pin_shooter(id(0)).patches().radiosity(0)[0], 42.0);

@@ -29,6 +29,23 @@ TEST(BuildCells, EmptyRoomIsOneCellWithoutPortals) {
   EXPECT_FALSE(complex.locate({-1, 1, 1}).valid());
 }
 
+TEST(BuildCells, TheOutsideIsACellWhereAWindowShowsItOrNothingEnclosesAnything) {
+  EXPECT_FALSE(build(plan::one_room()).outside().valid());
+
+  plan::Plan open;  // two walls of a room
+  open.sheet({0, 0, 0}, {5, 0, 0}, {0, 0, 3});
+  open.sheet({0, 0, 0}, {0, 4, 0}, {0, 0, 3});
+  const CellComplex alone = build(open);
+  ASSERT_TRUE(alone.outside().valid());
+  EXPECT_EQ(alone.outside(), alone.locate({2, 2, 1}));
+
+  plan::Plan house;  // a room without its wall at x = 5 but for a frame around a window
+  house.box({0, 0, 0}, {5, 4, 3}, true);
+  house.box({-0.2, -0.2, -0.2}, {5.2, 4.2, 3.2}, false);
+  const CellComplex closed = build(house);
+  EXPECT_FALSE(closed.outside().valid() && closed.outside() == closed.locate({2, 2, 1}));
+}
+
 TEST(BuildCells, FurnitureDoesNotCutARoom) {
   plan::Plan plan = plan::one_room();
   plan.box({1, 1, 0}, {2, 2, 0.8}, false);
