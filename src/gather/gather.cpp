@@ -49,10 +49,6 @@ class Gatherer {
  private:
   const FarView* far_view() const { return far_ ? &*far_ : nullptr; }
   const BuildingLight* far_light() const { return far_ ? &far_->light() : nullptr; }
-  /// True of sky, sun and ground where the receiver sees no place outside the building.
-  bool never_seen(std::uint32_t light) const {
-    return lights_[light].is_far() && !shooters_.outside;
-  }
   void link_root(ClusterId cluster, PatchId shooter);
   void refine_links(std::size_t begin, std::size_t end, const PatchForest* shooter);
   void refine_near_links(ClusterId cluster, const PatchForest& shooter);
@@ -97,7 +93,7 @@ void Gatherer::link_root(ClusterId cluster, PatchId shooter) {
 
 void Gatherer::gather_lights() {
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
-    if (never_seen(i)) continue;
+    if (shooters_.shut_out(lights_[i])) continue;
     if (first_time_) link_root({}, {i, 1});
     samples_.add(lights_[i]);
   }
@@ -163,16 +159,13 @@ void Gatherer::refine_near_links(ClusterId cluster, const PatchForest& shooter) 
 void Gatherer::refine_links(std::size_t begin, std::size_t end, const PatchForest* shooter) {
   const LinkSet& links = receiver_.links();
   for (std::size_t i = begin; i < end; ++i) {
-    if (links[i].is_light() && never_seen(links[i].shooter.root)) {
-      begin_change(i);
-      continue;
-    }
-    if (refinement_.accurate_enough(links[i], links.transport(i), shooter)) {
+    const bool dark = links[i].is_light() && shooters_.shut_out(lights_[links[i].shooter.root]);
+    if (!dark && refinement_.accurate_enough(links[i], links.transport(i), shooter)) {
       if (changed_) refined_.add_from(links, i);
       continue;
     }
     begin_change(i);
-    refinement_.refine(links[i], shooter, refined_);
+    if (!dark) refinement_.refine(links[i], shooter, refined_);
   }
 }
 

@@ -55,6 +55,8 @@ struct Shooters {
   /// False where cells and portals prove that the receiver sees no place outside the building, so
   /// that sky, sun and ground send it nothing.
   bool outside = true;
+  /// True where it is certain that the light sends the receiver nothing.
+  bool shut_out(const LightSource& light) const { return light.is_far() && !outside; }
 };
 
 /// Returns a visible cluster, which need stay valid only until the next call.

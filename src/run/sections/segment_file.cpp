@@ -236,6 +236,10 @@ bool SegmentIndex::add_table(Rank rank, std::uint32_t part) {
   return true;
 }
 
+bool SegmentIndex::complete() const {
+  return std::ranges::all_of(entries_, [](const auto& entry) { return entry.has_value(); });
+}
+
 const SegmentEntry& SegmentIndex::at(ClusterId id) const {
   const std::optional<SegmentEntry>& entry = entries_[id.index()];
   if (!entry) {
@@ -262,6 +266,7 @@ std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> SegmentIndex::
 }
 
 void remove_unused_links(const std::string& directory, const SegmentIndex& committed_patches) {
+  if (!committed_patches.complete()) return;
   const auto named = committed_patches.links();
   for (const SegmentName& name : segments_in(directory)) {
     const auto iteration = iteration_of_links(name);

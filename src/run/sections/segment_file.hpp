@@ -81,6 +81,8 @@ class SegmentIndex {
   /// two ranks.
   SegmentIndex(const std::string& directory, SegmentKind kind, std::size_t clusters, int ranks);
 
+  /// True where each cluster is in one of them.
+  bool complete() const;
   /// Throws RunError where the cluster is in none of them.
   const SegmentEntry& at(ClusterId id) const;
   SectionFile read(ClusterId id) const;
@@ -98,7 +100,8 @@ class SegmentIndex {
 };
 
 /// Removes segments of links of the committed iteration and those before it that its patches do not
-/// name: newer ones replace all of theirs. Later ones may be those of a rank that is ahead.
+/// name: newer ones replace all of theirs. Later ones may be those of a rank that is ahead. Removes
+/// nothing where a cluster's patches are missing.
 void remove_unused_links(const std::string& directory, const SegmentIndex& committed_patches);
 /// Removes what ranks that are no more may have left of iterations after the committed one. No rank
 /// may write yet.
