@@ -81,7 +81,7 @@ const SegmentIndex& ClusterStore::index_of(Section section) {
   return *index;
 }
 
-SectionFile ClusterStore::read_links(ClusterId id) {
+SectionFile ClusterStore::load_links(ClusterId id) {
   const auto& [iteration, at] = links_[id.index()];
   const SectionPlace place{id, Section::links, iteration, run_};
   if (charges_.links_written(id)) return links_writer_->get(at, place);
@@ -97,7 +97,7 @@ SectionFile ClusterStore::load_section(const SectionName& name) {
                                                    : false;
   const auto iteration = static_cast<std::uint32_t>(committed_ + 1);
   SectionFile file =
-      section == Section::links ? read_links(id)
+      section == Section::links ? load_links(id)
       : local ? patches_writer_->get(own_patches_[id.index()], {id, section, iteration, run_})
               : index_of(section).read(id);
   charges_.read(local ? Disk::local : Disk::common, id, file.info.count);

@@ -47,7 +47,7 @@ class ClusterStore final : public ClusterFiles {
  private:
   SegmentKind kind(Section section, std::uint32_t iteration) const;
   const SegmentIndex& index_of(Section section);
-  SectionFile read_links(ClusterId id);
+  SectionFile load_links(ClusterId id);
 
   RunLayout layout_;
   std::string local_directory_;

@@ -55,7 +55,7 @@ void put_links(ByteWriter& w, const LinksPlace& links) {
 LinksPlace get_links(ByteReader& r) {
   LinksPlace links;
   links.iteration = r.get<std::uint32_t>();
-  links.at.rank = Rank(r.get<decltype(links.at.rank.value)>());
+  links.at.rank = Rank{r.get<decltype(links.at.rank.value)>()};
   links.at.part = r.get<std::uint32_t>();
   links.at.offset = r.get<std::uint64_t>();
   return links;
