@@ -29,7 +29,7 @@ TEST(BuildCells, EmptyRoomIsOneCellWithoutPortals) {
   EXPECT_FALSE(complex.locate({-1, 1, 1}).valid());
 }
 
-TEST(BuildCells, TheOutsideIsACellWhereAWindowShowsItOrNothingEnclosesAnything) {
+TEST(BuildCells, TheOutsideIsACellWhereADoorShowsItOrNothingEnclosesAnything) {
   EXPECT_FALSE(build(plan::one_room()).outside().valid());
 
   plan::Plan open;  // two walls of a room
@@ -39,11 +39,13 @@ TEST(BuildCells, TheOutsideIsACellWhereAWindowShowsItOrNothingEnclosesAnything) 
   ASSERT_TRUE(alone.outside().valid());
   EXPECT_EQ(alone.outside(), alone.locate({2, 2, 1}));
 
-  plan::Plan house;  // a room without its wall at x = 5 but for a frame around a window
-  house.box({0, 0, 0}, {5, 4, 3}, true);
-  house.box({-0.2, -0.2, -0.2}, {5.2, 4.2, 3.2}, false);
-  const CellComplex closed = build(house);
-  EXPECT_FALSE(closed.outside().valid() && closed.outside() == closed.locate({2, 2, 1}));
+  plan::Plan house = plan::one_room();
+  house.polygons.erase(house.polygons.begin() + 4);  // the wall at x = 5
+  house.wall_with_door(5, 0, 4, 2.5, 1.5, 2.4, 2);
+  const CellComplex seen = build(house);
+  ASSERT_TRUE(seen.outside().valid());
+  EXPECT_NE(seen.outside(), seen.locate({2, 2, 1}));
+  EXPECT_EQ(seen.cells()[seen.outside().index()].kind, CellKind::outside);
 }
 
 TEST(BuildCells, FurnitureDoesNotCutARoom) {
