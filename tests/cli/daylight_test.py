@@ -70,6 +70,49 @@ class Daylight(cli_test.InScratch):
                 self.assertAlmostEqual(probe["E"][0], of_lamp, delta=1e-3 * of_lamp)
             shutil.rmtree(run)
 
+    def test_a_new_sky_over_a_closed_room_that_is_relit(self):
+        lamp = {"vertices": ROOF, "reflectance": 0.5, "exitance": 10}
+        room = {**roofless(), "surfaces": [*roofless()["surfaces"], lamp]}
+        new = self.scratch / "new.json"
+        new.write_text(json.dumps({**room, "sky": {**SKY, "horizontal_illuminance": 100000}}))
+        del room["sky"]
+        run, points = self.solve(room)
+        before = json.loads((run / "stats.json").read_text(encoding="utf-8"))
+        relit = self.scratch / "relit"
+        result = enfilade("solve", run, "--relight", new, "-o", relit, "--no-pictures")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        after = json.loads((relit / "stats.json").read_text(encoding="utf-8"))
+        self.assertEqual(after["links"], before["links"])
+        self.assertLess(after["estimated_error"], 0.02)
+        result = enfilade("probe", relit, "--points", points, "-o", self.scratch / "answers.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for probe, (x, y) in zip(json.loads((self.scratch / "answers.json").read_text(encoding="utf-8"))["probes"],
+                                 ((2, 2), (1, 3))):
+            of_lamp = 10 * sum(of_corner(a, b, 3) for a in (x, 4 - x) for b in (y, 4 - y))
+            self.assertAlmostEqual(probe["E"][0], of_lamp, delta=1e-3 * of_lamp)
+
+    def test_sky_two_doors_deep(self):
+        """Three black rooms in a row, the first without its outer wall: the last one sees the sky through two doors."""
+        doors = {4: (1.5, 2.5, 2.1), 8: (1.2, 2.2, 2.0)}  # x: y from, to, and height
+        walls = [[[0, 0, 0], [12, 0, 0], [12, 4, 0], [0, 4, 0]], [[0, 0, 3], [0, 4, 3], [12, 4, 3], [12, 0, 3]],
+                 [[0, 0, 0], [0, 0, 3], [12, 0, 3], [12, 0, 0]], [[0, 4, 0], [12, 4, 0], [12, 4, 3], [0, 4, 3]],
+                 [[12, 0, 0], [12, 0, 3], [12, 4, 3], [12, 4, 0]]]
+        for x, (low, high, top) in doors.items():
+            walls += [[[x, y0, z0], [x, y1, z0], [x, y1, 3], [x, y0, 3]]
+                      for y0, y1, z0 in ((0, low, 0), (high, 4, 0), (low, high, top))]
+        points = [[11, 1.8, 0.6], [9, 2.1, 1.2], [11.5, 2.4, 0.3], [10, 0.5, 1.0]]
+        run, _ = self.solve({**roofless(), "probes": [{"p": p, "n": [-1, 0, 0]} for p in points],
+                             "surfaces": [{"vertices": w, "reflectance": 0, "two_sided": True} for w in walls]})
+        openings = [(0, 0, 4, 3), *((x, *door) for x, door in doors.items())]
+        for probe, (px, py, pz) in zip(json.loads((run / "probes.json").read_text(encoding="utf-8"))["probes"], points):
+            left = max((low - py) / (px - x) for x, low, _, _ in openings)
+            right = min((high - py) / (px - x) for x, _, high, _ in openings)
+            top = min((height - pz) / (px - x) for x, _, _, height in openings)
+            expected = 8000 * (of_corner(right, top, 1) - of_corner(left, top, 1)) if left < right else 0
+            self.assertAlmostEqual(probe["E"][0], expected, delta=max(2e-3 * expected, 2 * probe["error"][0], 1e-9))
+            self.assertLessEqual(probe["error"][0], 0.02 * expected)
+        self.assertEqual(expected, 0)  # of the last point: it stands beside the line of the doors
+
     def test_tinted_pane_in_the_roof(self):
         scene = roofless()
         scene["surfaces"].append({"vertices": ROOF, "reflectance": 0, "transmittance": [0.8, 0.4]})

@@ -190,6 +190,30 @@ class WrongNames(InRun):
                     self.assert_refused(enfilade(command, ROOM, "-o", run), str(run), "name another directory")
         self.assertEqual((self.scratch / "file").read_text(), "in the way")
 
+    def test_a_local_directory_on_another_disk(self):
+        other = Path("/dev/shm")
+        if not other.is_dir() or other.stat().st_dev == self.scratch.stat().st_dev:
+            self.skipTest("no second file system")
+        local = Path(cli_test.tempfile.mkdtemp(prefix="enfilade-cli-local-", dir=other))
+        self.addCleanup(shutil.rmtree, local, ignore_errors=True)
+        for ranks in 1, 2:
+            here, there = self.scratch / f"here{ranks}", self.scratch / f"there{ranks}"
+            self.assertEqual(solve(ROOM, here, "--no-steal", ranks=ranks).returncode, 0)
+            result = solve(ROOM, there, "--no-steal", "--local-dir", local, ranks=ranks)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            # The runs differ by their own number, which the sections name; their light and links do not.
+            sizes = {name: len(data) for name, data in contents(there / "common").items() if "rank-" in name}
+            self.assertTrue(sizes)
+            self.assertEqual(sizes, {name: len(data) for name, data in contents(here / "common").items()
+                                     if "rank-" in name})
+            lights = [json.loads((run / "probes.json").read_text()) for run in (here, there)]
+            self.assertEqual(*lights)
+            self.assertEqual(list(local.iterdir()), [])
+            result = enfilade("solve", there, "--resume", "--target-error", "0.1", "--no-pictures", "--no-steal",
+                              "--local-dir", local, ranks=ranks)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(list(local.iterdir()), [])
+
     def test_a_local_directory_that_cannot_be_made(self):
         result = solve(ROOM, self.run_directory, "--local-dir", ROOM)
         self.assert_refused(result, "--local-dir", str(ROOM))
