@@ -20,9 +20,9 @@ struct CoarseRow {
   };
   /// What a far shooter's links bring, divided among the unknowns under it. Its light was that of
   /// the iteration before.
-  struct FarEntry {
-    std::uint32_t column = 0;
-    std::vector<double> flow;  ///< [receiving aggregate * bands + band]
+  struct Far {
+    std::vector<std::uint32_t> columns;  ///< ascending
+    std::vector<double> flows;           ///< [(entry * aggregates + receiving) * bands + band]
   };
   std::size_t aggregates = 1;  ///< of the receiving cluster
   // [aggregate * bands + band]
@@ -30,7 +30,7 @@ struct CoarseRow {
   std::vector<double> absorbed;       ///< the absorbed part of the power `after`
   std::vector<double> escaping;       ///< the part that is reflected and leaves the scene
   std::vector<Entry> entries;         ///< by ascending shooter
-  std::vector<FarEntry> far;          ///< by ascending column
+  Far far;
 };
 
 /// Calls take(row, column, flow per band, stale) for each pair of unknowns with a flow between

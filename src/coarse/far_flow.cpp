@@ -63,43 +63,35 @@ void FarFlow::add(const Link& link, std::span<const float> transport,
   }
 }
 
-std::vector<CoarseRow::FarEntry> FarFlow::entries(const FarUnknowns& unknowns) {
+CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
   const std::size_t bands = unknowns.bands(), width = receiving_.size() * bands;
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
     return a.node != b.node ? a.node < b.node : a.first < b.first;
   });
-  /// What one node sends to the receiver, and the part of it that is one unknown's.
-  struct Sent {
-    std::uint32_t unknown;
-    const double* share;  // per band
-    std::size_t flow;     // first of the node's numbers in flows
-  };
-  std::vector<Sent> sent;
-  std::vector<double> flows;
+  std::vector<double> sums(unknowns.count() * width, 0.0), flow(width);
   for (std::size_t i = 0; i < parts_.size();) {
     const std::uint32_t node = parts_[i].node;
-    const std::size_t flow = flows.size();
-    flows.resize(flow + width, 0.0);
+    std::fill(flow.begin(), flow.end(), 0.0);
     for (; i < parts_.size() && parts_[i].node == node; ++i) {
-      for (std::size_t k = 0; k < width; ++k) flows[flow + k] += power_[parts_[i].first + k];
+      for (std::size_t k = 0; k < width; ++k) flow[k] += power_[parts_[i].first + k];
     }
     const FarUnknowns::Parts& shares = unknowns.of(node);
-    for (std::size_t u = 0; u < shares.unknown.size(); ++u)
-      sent.push_back({shares.unknown[u], shares.share.data() + u * bands, flow});
+    for (std::size_t u = 0; u < shares.unknown.size(); ++u) {
+      double* sum = sums.data() + shares.unknown[u] * width;
+      const double* share = shares.share.data() + u * bands;
+      for (std::size_t k = 0; k < width; k += bands)
+        for (std::size_t b = 0; b < bands; ++b) sum[k + b] += share[b] * flow[k + b];
+    }
   }
-  std::stable_sort(sent.begin(), sent.end(),
-                   [](const Sent& a, const Sent& b) { return a.unknown < b.unknown; });
-  std::vector<CoarseRow::FarEntry> entries;
-  for (const Sent& s : sent) {
-    if (entries.empty() || entries.back().column != s.unknown)
-      entries.push_back({s.unknown, std::vector<double>(width, 0.0)});
-    std::vector<double>& sum = entries.back().flow;
-    for (std::size_t k = 0; k < width; ++k) sum[k] += s.share[k % bands] * flows[s.flow + k];
+  CoarseRow::Far far;
+  for (std::size_t u = 0; u < unknowns.count(); ++u) {
+    const auto first = sums.begin() + static_cast<std::ptrdiff_t>(u * width);
+    const auto end = first + static_cast<std::ptrdiff_t>(width);
+    if (std::all_of(first, end, [](double f) { return f == 0.0; })) continue;
+    far.columns.push_back(static_cast<std::uint32_t>(u));
+    far.flows.insert(far.flows.end(), first, end);
   }
-  std::erase_if(entries, [](const CoarseRow::FarEntry& entry) {
-    return std::all_of(entry.flow.begin(), entry.flow.end(), [](double f) { return f == 0.0; });
-  });
-  return entries;
+  return far;
 }
 
 }  // namespace enfilade

@@ -25,6 +25,7 @@ class FarUnknowns {
       : light_(light), unknowns_(unknowns), parts_(light.tree().nodes().size()) {}
 
   std::size_t bands() const { return light_.bands(); }
+  std::size_t count() const { return unknowns_.count; }
   const Parts& of(std::uint32_t node) const;
 
  private:
@@ -45,7 +46,7 @@ class FarFlow {
       : receiver_(receiver), receiving_(receiving) {}
   /// Adds a link. `power`: reflected power per band that it brings to its receiver.
   void add(const Link& link, std::span<const float> transport, std::span<const double> power);
-  std::vector<CoarseRow::FarEntry> entries(const FarUnknowns& unknowns);
+  CoarseRow::Far entries(const FarUnknowns& unknowns);
 
  private:
   const PatchForest& receiver_;

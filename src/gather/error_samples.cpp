@@ -41,10 +41,9 @@ void add_bands(Spectrum& sum, const Spectrum& part) {
 }  // namespace
 
 void add(ErrorSampleSums& sums, const ErrorSampleSums& part) {
-  add_bands(sums.light, part.light);
-  add_bands(sums.surplus, part.surplus);
-  add_bands(sums.off, part.off);
-  add_bands(sums.noise, part.noise);
+  for (const auto sum : {&ErrorSampleSums::light, &ErrorSampleSums::surplus, &ErrorSampleSums::off,
+                         &ErrorSampleSums::noise, &ErrorSampleSums::surplus_variance})
+    add_bands(sums.*sum, part.*sum);
 }
 
 ErrorSamples::ErrorSamples(const ClusterState& receiver, const Occluders& occluders,
@@ -281,15 +280,16 @@ double ErrorSamples::irradiance_of(const Point& point, std::size_t half, std::si
 
 ErrorSampleSums ErrorSamples::compare(const ClusterState& receiver) const {
   const Spectrum none(bands_, 0.0);
-  ErrorSampleSums sums{none, none, none, none};
+  ErrorSampleSums sums{none, none, none, none, none};
   std::vector<double> has(bands_);
   for (const Point& point : points_) {
     receiver.patches().evaluate(false, point.polygon, point.x, has);
     for (std::size_t b = 0; b < bands_; ++b) {
       const double first = irradiance_of(point, 0, b), second = irradiance_of(point, 1, b);
-      const double mean = 0.5 * (first + second);
+      const double mean = 0.5 * (first + second), surplus = point.area_m2 * (mean - has[b]);
       sums.light[b] += point.area_m2 * mean;
-      sums.surplus[b] += point.area_m2 * (mean - has[b]);
+      sums.surplus[b] += surplus;
+      sums.surplus_variance[b] += surplus * surplus;
       sums.off[b] += point.area_m2 * std::abs(mean - has[b]);
       sums.noise[b] += point.area_m2 * 0.5 * std::abs(first - second);
     }

@@ -277,9 +277,8 @@ void Gatherer::close_rows() {
     for (CoarseRow::Entry& entry : result_.coarse.entries) {
       for (std::size_t i = b; i < entry.flow.size(); i += bands_) entry.flow[i] *= more;
     }
-    for (CoarseRow::FarEntry& entry : result_.coarse.far) {
-      for (std::size_t i = b; i < entry.flow.size(); i += bands_) entry.flow[i] *= more;
-    }
+    for (std::size_t i = b; i < result_.coarse.far.flows.size(); i += bands_)
+      result_.coarse.far.flows[i] *= more;
   }
 }
 

@@ -125,6 +125,9 @@ void for_each_spectrum(Visit visit) {
       FigureName{"error_samples_off"}, [](auto& f) -> auto& { return f.error_samples.off; });
   visit(
       FigureName{"error_samples_noise"}, [](auto& f) -> auto& { return f.error_samples.noise; });
+  visit(
+      FigureName{"error_samples_surplus_variance"},
+      [](auto& f) -> auto& { return f.error_samples.surplus_variance; });
 }
 
 /// The figures that are a list of RowSums::cells numbers, or empty.

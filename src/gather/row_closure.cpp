@@ -139,10 +139,10 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
   for (std::size_t n = 0; n < patches.size(); ++n) {
     const PatchNode& node = patches.node(n);
     if (!node.leaf()) continue;
-    if (patches.unreachable(node.id.root)) patches.set_enclosed_share(n, 0.0f);
+    if (patches.unreachable(node.id.root)) patches.set_enclosed_share(n, 0.0f, true);
     if (patches.enclosed_share(n) < 0.0f && !frozen) {
-      patches.set_enclosed_share(
-          n, static_cast<float>(enclosed_share(receiver_, node, rings, occluders, is_lit, work)));
+      const EnclosedShare found = enclosed_share(receiver_, node, rings, occluders, is_lit, work);
+      patches.set_enclosed_share(n, static_cast<float>(found.share), found.settled);
     }
     if (patches.enclosed_share(n) < 1.0f) open[node.id.root] = 1;
   }

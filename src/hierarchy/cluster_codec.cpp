@@ -166,6 +166,7 @@ void ClusterCodec::write_patches(const PatchForest& f, ByteWriter& w) {
   w.put_all(f.deviation_);
   w.put_all(f.kept_);
   w.put_all(f.enclosed_share_);
+  w.put_all(f.settled_);
   w.put(f.lit_when_measured_);
   w.put_all(f.unreachable_);
 }
@@ -183,11 +184,13 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
   f.deviation_ = r.get_all<double>();
   f.kept_ = r.get_all<double>();
   f.enclosed_share_ = r.get_all<float>();
+  f.settled_ = r.get_all<std::uint8_t>();
   f.lit_when_measured_ = r.get<std::uint32_t>();
   f.unreachable_ = r.get_all<std::uint8_t>();
   if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
       f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
-      f.enclosed_share_.size() != f.nodes_.size() || f.unreachable_.size() != f.frames_.size()) {
+      f.enclosed_share_.size() != f.nodes_.size() || f.settled_.size() != f.nodes_.size() ||
+      f.unreachable_.size() != f.frames_.size()) {
     throw RunError("a cluster's record holds light for another number of patches");
   }
   // Each split makes one leaf more.

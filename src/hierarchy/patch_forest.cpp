@@ -45,6 +45,7 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   irradiance_.assign(nodes_.size() * stride(), 0.0);
   deviation_.assign(nodes_.size(), 0.0);
   enclosed_share_.assign(nodes_.size(), -1.0f);
+  settled_.assign(nodes_.size(), 0);
   unreachable_.assign(nodes_.size(), 0);
   for (std::size_t k = 0; k < frames_.size(); ++k) reflect(k);  // no irradiance yet
   std::iota(order_.begin(), order_.end(), 0u);
@@ -150,6 +151,7 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
     }
     deviation_.push_back(0.0);
     enclosed_share_.push_back(-1.0f);
+    settled_.push_back(0);
   }
   return first;
 }
@@ -169,7 +171,8 @@ void PatchForest::forget_enclosed_shares_below(std::uint32_t lit_polygons) {
   constexpr std::uint32_t one_in = 256;
   if (lit_polygons <= lit_when_measured_ + lit_when_measured_ / one_in) return;
   lit_when_measured_ = lit_polygons;
-  std::fill(enclosed_share_.begin(), enclosed_share_.end(), -1.0f);
+  for (std::size_t n = 0; n < nodes_.size(); ++n)
+    if (settled_[n] == 0) enclosed_share_[n] = -1.0f;
 }
 
 std::size_t PatchForest::leaf_at(std::size_t polygon, const Vec3& p) const {
@@ -216,6 +219,7 @@ void PatchForest::shrink() {
   irradiance_.shrink_to_fit();
   deviation_.shrink_to_fit();
   enclosed_share_.shrink_to_fit();
+  settled_.shrink_to_fit();
   kept_.shrink_to_fit();
   for (PatchNode& n : nodes_) n.shape.vertices.shrink_to_fit();
 }

@@ -117,11 +117,16 @@ class PatchForest {
   /// Returns the share of the node's cosine-weighted hemisphere that ends on a lit front side, by
   /// rays; negative = not measured.
   float enclosed_share(std::size_t node) const { return enclosed_share_[node]; }
-  void set_enclosed_share(std::size_t node, float share) { enclosed_share_[node] = share; }
-  /// Marks all enclosed shares as not measured if they were measured with clearly fewer lit
-  /// polygons in view than `lit_polygons` (by more than 1 in 256). A smaller number of lit polygons
-  /// changes nothing: radiosities that oscillate about zero would trigger measurements in every
-  /// iteration.
+  /// `settled`: further lit polygons do not change it, as all front sides in view are lit.
+  void set_enclosed_share(std::size_t node, float share, bool settled) {
+    enclosed_share_[node] = share;
+    settled_[node] = settled ? 1 : 0;
+  }
+  bool enclosed_share_settled(std::size_t node) const { return settled_[node] != 0; }
+  /// Marks the enclosed shares that are not settled as not measured, if they were measured with
+  /// clearly fewer lit polygons in view than `lit_polygons` (by more than 1 in 256). A smaller
+  /// number of lit polygons changes nothing: radiosities that oscillate about zero would trigger
+  /// measurements in every iteration.
   void forget_enclosed_shares_below(std::uint32_t lit_polygons);
   /// Returns per polygon 1 where its radiosity is above zero in some band.
   std::span<const char> lit() const { return lit_; }
@@ -212,6 +217,7 @@ class PatchForest {
   std::vector<double> kept_;  ///< the leaves' irradiance of an earlier iteration, or empty
   std::vector<double> group_radiosity_, group_deviation_, group_exitance_;
   std::vector<float> enclosed_share_;
+  std::vector<std::uint8_t> settled_;  ///< per node, of its enclosed share
   /// Number of lit polygons in view when the enclosed shares were measured.
   std::uint32_t lit_when_measured_ = 0;
   std::vector<char> lit_;

@@ -8,8 +8,8 @@
 
 namespace enfilade {
 
-double enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
-                      const Occluders& occluders, const EndsRay& ends, WorkCount& work) {
+EnclosedShare enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
+                             const Occluders& occluders, const EndsRay& ends, WorkCount& work) {
   const PolygonFrame& frame = cluster.patches().frames()[node.id.root];
   const std::uint32_t own = occluders.global(cluster.id(), node.id.root);
   Random random((std::uint64_t{own} << 32) + node.id.path);
@@ -17,6 +17,12 @@ double enclosed_share(const ClusterState& cluster, const PatchNode& node, int ri
   const double size_m = std::sqrt(node.shape.area_m2);
   const double inside = 1.0 - std::clamp(8.0 * occluders.rays().epsilon_m() / size_m, 1e-3, 0.5);
   double ended = 0.0;
+  EnclosedShare found;
+  const auto counts = [&](std::uint32_t polygon) {
+    const bool it_does = ends(occluders.local(polygon));
+    found.settled = found.settled && it_does;
+    return it_does;
+  };
   for (int quarter = 0; quarter < 4; ++quarter) {
     for (int stratum = 0; stratum < rings * rings; ++stratum) {
       const Vec2 any = node.shape.point_in_quarter(quarter, random.uniform(), random.uniform());
@@ -32,13 +38,14 @@ double enclosed_share(const ClusterState& cluster, const PatchNode& node, int ri
       if (occluders.panes().any()) {
         const auto met = occluders.panes_along(x, d, hit.any() ? hit.distance_m : far_away_m, own);
         for (const PaneMet& pane : met)
-          ended += pane.front && ends(occluders.local(pane.polygon)) ? pane.before.share : 0.0;
+          ended += pane.front && counts(pane.polygon) ? pane.before.share : 0.0;
         if (!met.empty()) passing = met.back().behind.share;
       }
-      if (hit.any() && hit.front && ends(occluders.local(hit.polygon))) ended += passing;
+      if (hit.any() && hit.front && counts(hit.polygon)) ended += passing;
     }
   }
-  return ended / (4.0 * rings * rings);
+  found.share = ended / (4.0 * rings * rings);
+  return found;
 }
 
 }  // namespace enfilade

@@ -13,10 +13,15 @@ namespace enfilade {
 /// Whether a ray counts that ends on the front side of this polygon.
 using EndsRay = std::function<bool(const PolygonRef&)>;
 
-/// Returns the share (0 .. 1) of cosine-distributed rays from random points of patch `node` that
-/// end on a front side which counts. `rings` * `rings` strata of directions from each quarter of
-/// the patch, so 4 rings^2 rays.
-double enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
-                      const Occluders& occluders, const EndsRay& ends, WorkCount& work);
+struct EnclosedShare {
+  double share = 0.0;   ///< 0 .. 1
+  bool settled = true;  ///< no ray ended on a front side that does not count
+};
+
+/// Returns the share of cosine-distributed rays from random points of patch `node` that end on a
+/// front side which counts. `rings` * `rings` strata of directions from each quarter of the patch,
+/// so 4 rings^2 rays.
+EnclosedShare enclosed_share(const ClusterState& cluster, const PatchNode& node, int rings,
+                             const Occluders& occluders, const EndsRay& ends, WorkCount& work);
 
 }  // namespace enfilade

@@ -16,7 +16,7 @@ namespace enfilade {
 
 /// 11: segments. 10: kept light, extrapolation. 9: sums of rows, relaxation. 8: checksum, run and
 /// preparation. 7: the building's hierarchy.
-inline constexpr int manifest_version = 11;
+inline constexpr int manifest_version = 12;
 
 struct Manifest {
   int iteration = 0;  ///< the last committed one; 0 = the state before the first

@@ -18,6 +18,9 @@ constexpr double share_seen_together = 1.0 / 3.0;
 constexpr double share_hidden_by_noise = 0.1;
 /// Mean absolute value of a normally distributed error over its standard deviation, rounded.
 constexpr double mean_over_standard_error = 0.8;
+/// Where next to nothing is absorbed, an error of all light is not multiplied by more than 1 over
+/// this: the balance of the light tells it better there.
+constexpr double least_kept = 0.1;
 
 /// Returns the reflected share of band b's arriving power.
 double reflected_share(const IterationFigures& figures, std::size_t b) {
@@ -48,6 +51,14 @@ double residual(const ErrorSampleSums& sums, std::size_t b) {
   return std::hypot(seen, share_hidden_by_noise * noise) / sums.light[b];
 }
 
+/// Returns the relative error that all points have in common: the patches as a whole are too dark
+/// or too bright, less what points at random differ by.
+double shared_residual(const ErrorSampleSums& sums, std::size_t b) {
+  if (b >= sums.surplus_variance.size() || sums.light[b] <= 0.0) return 0.0;
+  const double square = sums.surplus[b] * sums.surplus[b] - sums.surplus_variance[b];
+  return std::sqrt(std::max(0.0, square)) / sums.light[b];
+}
+
 /// Returns the relative noise of one sampled point in band b, mean over the points.
 double sample_noise(const ErrorSampleSums& sums, std::size_t b) {
   return b < sums.light.size() && sums.light[b] > 0.0 ? sums.noise[b] / sums.light[b] : 0.0;
@@ -74,6 +85,15 @@ double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const double then =
       share_of_received(sampled->figures.link_error_power, sampled->figures.received_power);
   return residual(sampled->figures.error_samples, b) * (then > 0.0 ? now / then : 1.0);
+}
+
+/// Returns the part of it that does not cancel where a point gathers over many patches. What is
+/// lacking everywhere is reflected again and again, and lacks each time.
+double shared_error(std::span<const IterationSummary> history, std::size_t b) {
+  const IterationSummary* sampled = last_sampled(history);
+  if (sampled == nullptr) return 0.0;
+  const double kept = 1.0 - reflected_share(sampled->figures, b);
+  return shared_residual(sampled->figures.error_samples, b) / std::max(kept, least_kept);
 }
 
 /// True where the last iteration tightened no tolerance, and used the row closure and the flux
@@ -175,8 +195,8 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history,
   };
   const std::size_t bands = std::min(surfaces.bands.size(), figures.absorbed_power.size());
   const auto seen_by_points = [&](std::size_t b) {
-    return reflected_share(figures, b) *
-           std::hypot(share_seen_together * local_error(history, b), all_over(b));
+    return reflected_share(figures, b) * std::hypot(share_seen_together * local_error(history, b),
+                                                    shared_error(history, b), all_over(b));
   };
   estimate.patches = estimate.iteration + worst(bands, [&](std::size_t b) {
                        return std::hypot(local_error(history, b), all_over(b)) + seen_by_points(b);

@@ -21,11 +21,11 @@ double most_reflected(const IterationFigures& figures);
 /// Links: the local error is the relative difference between the patches' irradiance and that of
 /// the error samples, less the sampling noise; between samplings it is scaled by the sum of the
 /// links' estimated errors. The global error comes from the power balance (unbalanced_share()).
-/// Gathered light has the reflected share of both, and local errors cancel in part there; light
-/// taken from the patches has that as well, and the patches' own error in addition.
-/// Iterations: the series of the changes to come (§8), and its bound by contraction(). The last
-/// change alone, the paper's T, understates it by up to 1 / (1 - contraction).
-/// `surfaces`: surfaces_power() of energy_conservation.hpp.
+/// Gathered light has the reflected share of both, and local errors cancel in part there, except
+/// for what the patches as a whole lack; light taken from the patches has that as well, and the
+/// patches' own error in addition. Iterations: the series of the changes to come (§8), and its
+/// bound by contraction(). The last change alone, the paper's T, understates it by up to 1 / (1 -
+/// contraction). `surfaces`: surfaces_power() of energy_conservation.hpp.
 ErrorEstimate estimate_error(std::span<const IterationSummary> history,
                              const SurfacesPower& surfaces);
 

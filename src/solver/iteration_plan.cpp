@@ -16,9 +16,12 @@ double worst_band(const Spectrum& power) {
 }
 
 double first_epsilon(const PlanConfig& config) {
-  const double coarser = config.at_points ? config.weights.first_at_points : 1.0;
+  const PlanWeights& w = config.weights;
+  const double coarser = config.at_points ? w.first_at_points : 1.0;
+  const double parts =
+      std::max(1.0, static_cast<double>(config.clusters) / w.clusters_at_first_epsilon);
   return config.epsilon > 0.0 ? config.epsilon
-                              : coarser * config.weights.first_epsilon_share * config.target_error;
+                              : coarser * w.first_epsilon_share * config.target_error / parts;
 }
 
 /// Returns the bound of the changes by later iterations below which iterations end.
@@ -156,9 +159,8 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   seen.correction_as_before = last.plan.flux_correction == plan.flux_correction;
   const double bound = last.error.iteration_bound;
   seen.iterations_converged = bound <= iteration_tolerance(config);
-  // The links' error can be measured before the iterations have converged.
   seen.good_enough_to_sample =
-      bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
+      bound <= std::max(iteration_tolerance(config), w.sampling_share * config.target_error);
   const bool hold_patches = factor_to_patch_links(last, config) <= w.least_tightening &&
                             !refinement_stagnates(history, true, config);
   seen.links_error = links_error(last.error, hold_patches);

@@ -58,6 +58,10 @@ struct PlanWeights {
   /// First link tolerance over emitted power, as a share of the target error. Coarse on purpose:
   /// sampling shows links that are too coarse, and refinement is never undone.
   double first_epsilon_share = 2.5e-3;
+  /// That of a building with at most so many clusters; in a larger one the tolerance is a share of
+  /// the power of so many. A link's error is absolute: a share of all power would leave each part
+  /// of a building coarser, the more there is beside it.
+  double clusters_at_first_epsilon = 16000.0;
   /// The same is so many times coarser where errors count at points alone: importance makes links
   /// finer by itself where they matter.
   double first_at_points = 4.0;
@@ -67,6 +71,9 @@ struct PlanWeights {
   /// Share of the target error that is left to the iterations; also the floor of the flux
   /// correction.
   double iteration_share = 0.02;
+  /// Errors are sampled once the changes to come are below this share of the target error. Points
+  /// and patches receive from the same light, so that what is still to come hardly counts there.
+  double sampling_share = 0.1;
   /// Light counts as fully distributed once the relative change of an iteration falls below this.
   double settled_change = 0.1;
   /// Links count as stable when at most one in links_per_refined was refined in an iteration.
@@ -113,6 +120,7 @@ struct PlanConfig {
   double epsilon = 0.0;  ///< link tolerance over emitted power (worst band); 0 = from target_error
   double tolerance = 0.0;  ///< stop below this iteration_bound; 0 = from target_error
   double target_error = 0.02;
+  std::size_t clusters = 0;       ///< of the building
   std::uint64_t patch_links = 0;  ///< with more links than this, target_error applies only to
                                   ///< final-gathered light; 0 = never
   int max_iterations = 200;

@@ -131,6 +131,7 @@ PlanConfig plan_config(const SolverConfig& config, const Scene& scene,
   plan.epsilon = config.epsilon;
   plan.tolerance = config.tolerance;
   plan.target_error = config.target_error;
+  plan.clusters = clusters.size();
   plan.patch_links = config.most_patch_links();
   plan.max_iterations = config.max_iterations;
   plan.at_points = !config.gather.target_points.empty();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST6";
+constexpr std::string_view mark = "ENFCOST7";
 
 /// Where a file of costs belongs.
 struct CostPlace {

@@ -43,6 +43,9 @@ TEST(ErrorSamples, MeasureWhatThePatchesCannotFollow) {
   EXPECT_NEAR(sums.light[0], light / (side * side), 0.02 * light / (side * side));
   EXPECT_NEAR(sums.off[0] / sums.light[0], off / light, 0.1 * off / light);
   EXPECT_LT(sums.noise[0], 0.2 * sums.off[0]);
+  // The patch has the mean of the floor: what points at random differ by is all there is.
+  EXPECT_GT(sums.surplus_variance[0], 0.0);
+  EXPECT_LT(sums.surplus[0] * sums.surplus[0], 16.0 * sums.surplus_variance[0]);
 }
 
 /// All over 5% too bright, in a room where rays alone bring the light: the sign is found, and noise
@@ -64,6 +67,7 @@ TEST(ErrorSamples, FindAnErrorOfAllLight) {
     add(wrong, samples.compare(bright));
   }
   EXPECT_NEAR(wrong.surplus[0] / wrong.light[0], -0.05, 5e-3);
+  EXPECT_GT(wrong.surplus[0] * wrong.surplus[0], 16.0 * wrong.surplus_variance[0]);
 }
 
 /// A lamp behind more wires than are cut out of it gets rays of its own: what they find hidden is

@@ -113,6 +113,23 @@ TEST(PatchForest, HalvesBeginWithTheLightOfTheWhole) {
   }
 }
 
+/// One more lit polygon in view: only what may have grown is measured anew.
+TEST(PatchForest, ForgetsEnclosedSharesThatAreNotSettled) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);
+  PatchForest& f = state.patches();
+  const std::size_t first = f.subdivide(0), second = first + 1;
+  EXPECT_LT(f.enclosed_share(first), 0.0f);
+  f.forget_enclosed_shares_below(10);
+  f.set_enclosed_share(first, 0.5f, true);
+  f.set_enclosed_share(second, 0.25f, false);
+  f.forget_enclosed_shares_below(10);
+  EXPECT_EQ(f.enclosed_share(second), 0.25f);
+  f.forget_enclosed_shares_below(11);
+  EXPECT_EQ(f.enclosed_share(first), 0.5f);
+  EXPECT_LT(f.enclosed_share(second), 0.0f);
+}
+
 TEST(PatchForest, FindsTheDeepestAncestorThatWasMade) {
   const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
   ClusterState state(testing::clusters_of(scene)[0], scene, Basis::constant);

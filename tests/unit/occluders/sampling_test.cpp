@@ -50,6 +50,25 @@ TEST(LightByOneRay, IsUnbiased) {
   EXPECT_TRUE(testing::has_mean(samples, want, 1, 1e-3 * want));
 }
 
+/// What ends on a front side that is still dark may count later; what ends on backs and nowhere
+/// never will.
+TEST(EnclosedShare, IsSettledWhereAllFrontSidesInViewCount) {
+  const Scene scene = testing::box_room({0, 0, 0}, {3, 2, 1}, {0.5}, {1.0});
+  const std::vector<Cluster> clusters = testing::clusters_of(scene);
+  const Occluders occluders(clusters);
+  const ClusterState state(clusters[0], scene, Basis::constant);
+  WorkCount work;
+  const auto found = [&](const EndsRay& ends) {
+    return enclosed_share(state, state.patches().node(0), 8, occluders, ends, work);
+  };
+  const EnclosedShare all = found([](const PolygonRef&) { return true; });
+  EXPECT_TRUE(all.settled);
+  EXPECT_EQ(all.share, 1.0);
+  const EnclosedShare but_one = found([](const PolygonRef& p) { return p.cluster.index() != 1; });
+  EXPECT_FALSE(but_one.settled);
+  EXPECT_LT(but_one.share, 1.0);
+}
+
 /// The share of a receiver's hemisphere that ends on the shooter's front is its form factor. The
 /// rays are stratified: one estimate is a sample, and patches of one polygon have seeds of their
 /// own.
@@ -74,8 +93,9 @@ TEST(EnclosedShare, HasTheKnownFactorsForMeans) {
       const PatchNode& node = patches.node(i);
       if (!node.leaf()) continue;
       const double share = enclosed_share(
-          receiving, node, 4, occluders, [](const PolygonRef& p) { return p.cluster.index() == 0; },
-          work);
+                               receiving, node, 4, occluders,
+                               [](const PolygonRef& p) { return p.cluster.index() == 0; }, work)
+                               .share;
       mean += node.shape.area_m2 * share;
       area += node.shape.area_m2;
       // Of 64 independent rays; stratified ones vary less.

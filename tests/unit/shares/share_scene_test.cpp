@@ -62,7 +62,7 @@ TEST(SamePatches, HaveTheOldOnesCutsAndLinksAndTheNewSceneLight) {
   PatchForest& patches = state.patches();
   patches.subdivide(patches.subdivide(0) + 1);
   for (std::size_t n = 0; n < patches.size(); ++n)
-    patches.set_enclosed_share(n, 0.1f * static_cast<float>(n));
+    patches.set_enclosed_share(n, 0.1f * static_cast<float>(n), n % 2 == 0);
   patches.mark_unreachable(0);
   Link link;
   link.shooter_cluster = ClusterId(1u);
@@ -80,6 +80,7 @@ TEST(SamePatches, HaveTheOldOnesCutsAndLinksAndTheNewSceneLight) {
     EXPECT_EQ(same.patches().node(n).id, patches.node(n).id);
     EXPECT_EQ(same.patches().node(n).shape.area_m2, patches.node(n).shape.area_m2);
     EXPECT_EQ(same.patches().enclosed_share(n), patches.enclosed_share(n));
+    EXPECT_EQ(same.patches().enclosed_share_settled(n), n % 2 == 0);
     EXPECT_EQ(same.patches().irradiance(n)[0], 0.0);
     EXPECT_EQ(same.patches().radiosity(n)[3 * share_band(2, 1, 1)], 2.0);
     EXPECT_EQ(same.patches().radiosity(n)[3 * share_band(2, 2, 1)], 0.0);

@@ -78,6 +78,19 @@ TEST(ErrorEstimate, TakesTheNoiseOfTheSamplesOut) {
   EXPECT_LT(estimate_error(history, emitted).total(), 0.02);
 }
 
+/// What all patches lack, a gather over many of them lacks as well: nothing cancels.
+TEST(ErrorEstimate, WhatAllPatchesLackDoesNotCancelAtPoints) {
+  std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
+  history.back().plan.sample = true;
+  history.back().figures.error_samples = {{10.0}, {3.0}, {3.0}, {0.0}, {0.0}};
+  EXPECT_NEAR(estimate_error(history, emitted).total(), 0.5 * std::hypot(0.1, 0.3 / 0.5), 1e-9);
+  history.back().figures.error_samples.surplus = {-3.0};  // too bright is no better
+  EXPECT_NEAR(estimate_error(history, emitted).total(), 0.5 * std::hypot(0.1, 0.3 / 0.5), 1e-9);
+  // Nine points that differ at random: their sum may be as far off by chance.
+  history.back().figures.error_samples.surplus_variance = {9.0};
+  EXPECT_NEAR(estimate_error(history, emitted).total(), 0.5 * 0.1, 1e-9);
+}
+
 TEST(ErrorEstimate, WhatOneBandIsOffByIsNotReflectedByAnother) {
   std::vector<IterationSummary> history = {summary(1.0), summary(0.0)};
   IterationFigures& figures = history.back().figures;

@@ -124,6 +124,21 @@ TEST(IterationPlan, TheToleranceFollowsLightThatHasDoubled) {
   EXPECT_DOUBLE_EQ(tolerance(2.5, true), first);
 }
 
+/// Ten buildings beside each other are as fine as one: the tolerance is that of one building's
+/// power.
+TEST(IterationPlan, PartsOfALargeBuildingAreAsFineAsASmallOne) {
+  const double clusters = 2.0 * PlanWeights{}.clusters_at_first_epsilon;
+  const auto tolerance = [clusters](double copies) {
+    const PlanConfig asked{.emitted_power = {10.0 * copies},
+                           .surfaces_power = {},
+                           .target_error = 0.02,
+                           .clusters = static_cast<std::size_t>(clusters * copies)};
+    return first_plan(asked).link_tolerance;
+  };
+  EXPECT_NEAR(tolerance(10.0) / tolerance(1.0), 1.0, 1e-12);
+  EXPECT_NEAR(tolerance(0.01) / tolerance(1.0), 0.02, 1e-12);  // small ones: by their power alone
+}
+
 /// Finer links that bring less than they should end the refinement, unless the target is near.
 TEST(IterationPlan, SlowRefinementGoesOnWhereTheTargetIsNear) {
   const PlanConfig asked{
@@ -186,7 +201,8 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
        {&s.figures.arriving_power, &s.figures.returning_power, &s.figures.absorbed_power,
         &s.figures.escaping_power, &s.figures.direct_power, &s.figures.uncertain_power,
         &s.figures.error_samples.light, &s.figures.error_samples.surplus,
-        &s.figures.error_samples.off, &s.figures.error_samples.noise}) {
+        &s.figures.error_samples.off, &s.figures.error_samples.noise,
+        &s.figures.error_samples.surplus_variance}) {
     *spectrum = {next, next + 0.25};
     next += 1.0;
   }
