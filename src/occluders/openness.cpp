@@ -17,10 +17,10 @@ EnclosedShare enclosed_share(const ClusterState& cluster, const PatchNode& node,
   const double size_m = std::sqrt(node.shape.area_m2);
   const double inside = 1.0 - std::clamp(8.0 * occluders.rays().epsilon_m() / size_m, 1e-3, 0.5);
   double ended = 0.0;
-  EnclosedShare found;
+  int pending = 0;
   const auto counts = [&](std::uint32_t polygon) {
     const bool it_does = ends(occluders.local(polygon));
-    found.settled = found.settled && it_does;
+    pending += it_does ? 0 : 1;
     return it_does;
   };
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -44,8 +44,8 @@ EnclosedShare enclosed_share(const ClusterState& cluster, const PatchNode& node,
       if (hit.any() && hit.front && counts(hit.polygon)) ended += passing;
     }
   }
-  found.share = ended / (4.0 * rings * rings);
-  return found;
+  const double rays = 4.0 * rings * rings;
+  return {ended / rays, pending / rays};
 }
 
 }  // namespace enfilade

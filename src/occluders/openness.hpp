@@ -13,9 +13,10 @@ namespace enfilade {
 /// Whether a ray counts that ends on the front side of this polygon.
 using EndsRay = std::function<bool(const PolygonRef&)>;
 
+/// What rays find around a patch.
 struct EnclosedShare {
-  double share = 0.0;   ///< 0 .. 1
-  bool settled = true;  ///< no ray ended on a front side that does not count
+  double share = 0.0;    ///< 0 .. 1
+  double pending = 0.0;  ///< share of the rays that ended on a front side which does not count
 };
 
 /// Returns the share of cosine-distributed rays from random points of patch `node` that end on a

@@ -21,6 +21,8 @@ constexpr double mean_over_standard_error = 0.8;
 /// Where next to nothing is absorbed, an error of all light is not multiplied by more than 1 over
 /// this: the balance of the light tells it better there.
 constexpr double least_kept = 0.1;
+/// A sum over points is off by more than so many standard deviations once in twenty times.
+constexpr double deviations_by_chance = 2.0;
 
 /// Returns the reflected share of band b's arriving power.
 double reflected_share(const IterationFigures& figures, std::size_t b) {
@@ -52,11 +54,11 @@ double residual(const ErrorSampleSums& sums, std::size_t b) {
 }
 
 /// Returns the relative error that all points have in common: the patches as a whole are too dark
-/// or too bright, less what points at random differ by.
+/// or too bright, by more than what points at random differ by.
 double shared_residual(const ErrorSampleSums& sums, std::size_t b) {
   if (b >= sums.surplus_variance.size() || sums.light[b] <= 0.0) return 0.0;
-  const double square = sums.surplus[b] * sums.surplus[b] - sums.surplus_variance[b];
-  return std::sqrt(std::max(0.0, square)) / sums.light[b];
+  const double by_chance = deviations_by_chance * std::sqrt(sums.surplus_variance[b]);
+  return std::max(0.0, std::abs(sums.surplus[b]) - by_chance) / sums.light[b];
 }
 
 /// Returns the relative noise of one sampled point in band b, mean over the points.
