@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/form_factor.hpp"
+#include "geometry/kernel_sample.hpp"
 #include "geometry/sampling.hpp"
 
 namespace enfilade {
@@ -118,21 +118,23 @@ double EmitterPicker::unoccluded(std::uint32_t lamp, const LitPlace& place) cons
          (r2 * std::sqrt(r2));
 }
 
-/// Form factor of the place to the emitter, times the share that passes from one random point of
-/// it.
-Passage EmitterPicker::factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
-                                 Random& random) const {
-  const double r1 = random.uniform(), r2 = random.uniform();
-  const int quarter = static_cast<int>(random.below(4));
+/// Adds share * an estimate, by one ray, of the emitter's light at the place. Its light may vary, as
+/// over a wall beside a window, and so may what hides it: the ray ends where the place sees much of
+/// it, and brings the radiosity that is there.
+void EmitterPicker::add_emitter(const EmitterSampler::Emitter& emitter, const LitPlace& place,
+                                Random& random, std::span<const double> share,
+                                Spectrum& irradiance) const {
   const PolygonFrame& frame = emitter.frame();
-  if (emitter.polygon == place.own || glm::dot(frame.n, place.x - frame.origin) <= 0.0)
-    return {0.0, {}};
-  const double factor = point_to_polygon(place.x, place.n, emitter.corners);
-  if (factor <= 0.0) return {0.0, {}};
-  const Vec3 y = frame.at(emitter.shape().point_in_quarter(quarter, r1, r2));
-  Passage passage = occluders_->passage(place.x, y, place.own, emitter.polygon, place.start);
-  passage.share *= factor;
-  return passage;
+  if (emitter.polygon == place.own || glm::dot(frame.n, place.x - frame.origin) <= 0.0) return;
+  const KernelSample end = sample_by_kernel(place.x, place.n, emitter.corners, random);
+  if (end.weight <= 0.0) return;
+  const Passage passage =
+      occluders_->passage(place.x, end.at, place.own, emitter.polygon, place.start);
+  if (passage.share <= 0.0) return;
+  std::vector<double> radiosity(irradiance.size());
+  emitter.forest->evaluate(true, emitter.node, end.at, radiosity);
+  for (std::size_t band = 0; band < irradiance.size(); ++band)
+    irradiance[band] += share[band] * end.weight * passage.band(band) * radiosity[band];
 }
 
 void EmitterPicker::add_picked(const LitPlace& place, std::span<const double> weights,
@@ -163,10 +165,9 @@ void EmitterPicker::add_picked(const LitPlace& place, std::span<const double> we
   if (guided > 0.0 && std::binary_search(known.begin(), known.end(), lamp))
     chance += guided * unoccluded(lamp, place) / sum;
   if (lamp < emitters_.size()) {
-    const EmitterSampler::Emitter& b = emitters_[lamp];
-    const Passage factor = factor_of(b, place, random);
-    for (std::size_t band = 0; band < irradiance.size() && factor.share > 0.0; ++band)
-      irradiance[band] += share[band] * factor.band(band) / chance * b.radiosity(band);
+    std::vector<double> of_picked(share.begin(), share.end());
+    for (double& s : of_picked) s /= chance;
+    add_emitter(emitters_[lamp], place, random, of_picked, irradiance);
     return;
   }
   const LightSource& light = lights_[lamp - emitters_.size()];

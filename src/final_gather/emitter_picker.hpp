@@ -23,9 +23,8 @@ class EmitterPicker {
 
   /// Running sums of the lamps' probabilities by distance, not normalised, for places near p.
   std::vector<double> weights(const Vec3& p) const;
-  /// Adds an estimate, by one ray, of share * the irradiance that all lamps give at `place`: of an
-  /// emitter's mean radiosity, and as if what hides a part of it hid the same share of its factor.
-  /// `weights`: for any place.
+  /// Adds an unbiased estimate, by one ray, of share * the irradiance that all lamps give at
+  /// `place`, of an emitter as its patches have it. `weights`: for any place.
   void add_picked(const LitPlace& place, std::span<const double> weights, Random& random,
                   std::span<const double> share, Spectrum& irradiance) const;
 
@@ -39,8 +38,8 @@ class EmitterPicker {
   std::span<const std::uint32_t> lit(std::uint32_t polygon) const;
   void shoot(std::uint32_t lamp, int rays, Random& random, std::vector<Arrival>& arrivals) const;
   double unoccluded(std::uint32_t lamp, const LitPlace& place) const;
-  Passage factor_of(const EmitterSampler::Emitter& emitter, const LitPlace& place,
-                    Random& random) const;
+  void add_emitter(const EmitterSampler::Emitter& emitter, const LitPlace& place, Random& random,
+                   std::span<const double> share, Spectrum& irradiance) const;
 
   std::span<const EmitterSampler::Emitter> emitters_;
   std::span<const LightSource> lights_;
