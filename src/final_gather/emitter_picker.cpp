@@ -118,9 +118,9 @@ double EmitterPicker::unoccluded(std::uint32_t lamp, const LitPlace& place) cons
          (r2 * std::sqrt(r2));
 }
 
-/// Adds share * an estimate, by one ray, of the emitter's light at the place. Its light may vary, as
-/// over a wall beside a window, and so may what hides it: the ray ends where the place sees much of
-/// it, and brings the radiosity that is there.
+/// Adds share * an estimate, by one ray, of the emitter's light at the place. Its light may vary,
+/// as over a wall beside a window, and so may what hides it: the ray ends where the place sees much
+/// of it, and brings the radiosity that is there.
 void EmitterPicker::add_emitter(const EmitterSampler::Emitter& emitter, const LitPlace& place,
                                 Random& random, std::span<const double> share,
                                 Spectrum& irradiance) const {

@@ -21,6 +21,23 @@ Spectrum mean_irradiance_over(std::span<const ClusterState> clusters) {
   return mean;
 }
 
+double mean_link_error_over(std::span<const ClusterState> clusters) {
+  double power = 0.0, uncertain = 0.0;
+  for (const ClusterState& cluster : clusters) {
+    const PatchForest& patches = cluster.patches();
+    for (std::size_t n = 0; n < patches.size(); ++n) {
+      const PatchNode& node = patches.node(n);
+      if (!node.leaf()) continue;
+      const double reflected =
+          node.shape.area_m2 *
+          std::max(0.0, patches.radiosity(n)[0] - patches.frames()[node.id.root].exitance[0]);
+      power += reflected;
+      uncertain += reflected * patches.link_error(n);
+    }
+  }
+  return power > 0.0 ? uncertain / power : 0.0;
+}
+
 double mean_radiosity_over(std::span<const ClusterState> clusters) {
   double area = 0.0, power = 0.0;
   for (const ClusterState& cluster : clusters) {

@@ -1,7 +1,6 @@
 #include "final_gather/point_gather.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +10,7 @@
 #include "final_gather/mean_light.hpp"
 #include "final_gather/pane_light.hpp"
 #include "final_gather/point_place.hpp"
+#include "final_gather/ray_ends.hpp"
 #include "geometry/sampling.hpp"
 #include "occluders/light_at.hpp"
 
@@ -58,20 +58,22 @@ struct PointGather::Impl {
   EmitterPicker picker;
   std::size_t bands, lead_bands;
   Spectrum mean_irradiance;
+  double mean_link_error;
 
   Impl(std::span<const ClusterState> of, std::span<const LightSource> by, const Occluders& between,
        const PointGatherConfig& how);
   void add_lights(const LitPlace& place, Spectrum& e, Spectrum& variance) const;
-  void add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
-                      const EmitterSampler::ControlVariate& control, const Spectrum& emitted,
-                      Spectrum& variance, PointIrradiance& light) const;
+  RayEnds add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
+                         const EmitterSampler::ControlVariate& control, const Spectrum& emitted,
+                         Spectrum& variance, PointIrradiance& light) const;
   double most_noise(std::size_t band, double light, double reflected) const;
   double reflected_error(std::size_t band, double reflected) const;
   Spectrum add_rays(const Vec3& p, const Vec3& n, std::uint32_t own, Random& random,
                     const EmitterSampler::ControlVariate& control, const Paths& paths, Spectrum& e,
-                    std::array<int, 2>& ends) const;
-  RayHit add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share, const Paths& paths,
-                  const EmitterSampler::ControlVariate& control, Random& random, Spectrum& e) const;
+                    RayEnds& ends) const;
+  void add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share, const Paths& paths,
+                const EmitterSampler::ControlVariate& control, Random& random, Spectrum& e,
+                RayEnds& ends) const;
 };
 
 /// Adds the direct light, and to `variance` the square of its error.
@@ -89,16 +91,14 @@ void PointGather::Impl::add_lights(const LitPlace& place, Spectrum& e, Spectrum&
 /// Adds share * (the radiosity that a ray finds less the control variate in its direction). Where a
 /// ray ends on a patch that is large for its distance (a gap below a cupboard, a corner), the
 /// patch's mean is not the radiosity at the ray's end: the path goes on from the end with one
-/// random ray, and with direct light there, and so on. Returns where the ray ends.
-RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
-                                   const Paths& paths,
-                                   const EmitterSampler::ControlVariate& control, Random& random,
-                                   Spectrum& e) const {
+/// random ray, and with direct light there, and so on.
+void PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own, double share,
+                                 const Paths& paths, const EmitterSampler::ControlVariate& control,
+                                 Random& random, Spectrum& e, RayEnds& end) const {
   std::vector<double> carried(bands, share), radiosity(bands);
-  RayHit first;
   for (int bounces = 0; bounces < most_bounces; ++bounces) {
     const RayHit hit = occluders->rays().closest(from, direction, own, 1e30, RayStart::in_air);
-    if (bounces == 0) first = hit;
+    if (bounces == 0 && hit.any()) ++(hit.front ? end.front : end.back);
     const bool ends = !hit.any() || !hit.front;
     const auto* controlled = bounces == 0 && !ends ? control.find(hit.polygon) : nullptr;
     // Behind panes the control variate is the ambient light and, of each controlled polygon, what
@@ -119,14 +119,16 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     }
     for (std::size_t b = 0; b < bands && bounces == 0 && (node == nullptr || dimmed); ++b)
       e[b] -= share * control.ambient[b];
-    if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return first;
+    if (ends || (emitters.contains(hit.polygon) && controlled == nullptr)) return;
     const PolygonRef ref = occluders->local(hit.polygon);
     const PatchForest& patches = clusters[ref.cluster.index()].patches();
-    const double m2 = patches.node(patches.leaf_at(ref.polygon, at)).shape.area_m2;
+    const std::size_t leaf = patches.leaf_at(ref.polygon, at);
+    const double m2 = patches.node(leaf).shape.area_m2;
     if (hit.distance_m > paths.far_sides * std::sqrt(m2) || emitters.contains(hit.polygon)) {
       patches.evaluate(true, ref.polygon, at, radiosity);
       for (std::size_t b = 0; b < bands; ++b) e[b] += carried[b] * radiosity[b];
-      return first;
+      end.read(patches, leaf, carried, radiosity);
+      return;
     }
     const PolygonFrame& frame = patches.frames()[ref.polygon];
     double most = 0.0;
@@ -137,7 +139,7 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     }
     // Russian roulette (Arvo and Kirk 1990).
     const double survival = std::min(1.0, most / (faint * share));
-    if (random.uniform() >= survival) return first;
+    if (random.uniform() >= survival) return;
     for (double& c : carried) c /= survival;
     own = hit.polygon;
     from = at + 2.0 * occluders->rays().epsilon_m() * frame.n;
@@ -145,16 +147,14 @@ RayHit PointGather::Impl::add_path(Vec3 from, Vec3 direction, std::uint32_t own,
     const double r2 = random.uniform(), turn = random.uniform();
     direction = cosine_direction(frame.n, r2, turn);
   }
-  return first;
 }
 
 /// Adds the mean of a set of cosine-weighted rays, one in each stratum of the disc below the
 /// hemisphere (Nusselt). Returns its variance per band, from the differences between neighbouring
-/// strata. `ends` counts the rays that end on front sides, and on back sides.
+/// strata.
 Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t own,
                                      Random& random, const EmitterSampler::ControlVariate& control,
-                                     const Paths& paths, Spectrum& e,
-                                     std::array<int, 2>& ends) const {
+                                     const Paths& paths, Spectrum& e, RayEnds& ends) const {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays_in_set()))));
   Spectrum variance(bands, 0.0), one(bands), before(bands);
   const int pairs = side * side / 2;
@@ -162,9 +162,8 @@ Spectrum PointGather::Impl::add_rays(const Vec3& p, const Vec3& n, std::uint32_t
     for (int j = 0; j < side; ++j) {
       const double r2 = (i + random.uniform()) / side, turn = (j + random.uniform()) / side;
       std::fill(one.begin(), one.end(), 0.0);
-      const RayHit hit = add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), paths,
-                                  control, random, one);
-      if (hit.any()) ++ends[hit.front ? 0 : 1];
+      add_path(p, cosine_direction(n, r2, turn), own, 1.0 / (side * side), paths, control, random,
+               one, ends);
       for (std::size_t b = 0; b < bands; ++b) {
         e[b] += one[b];
         if ((i * side + j) % 2 == 1) variance[b] += (one[b] - before[b]) * (one[b] - before[b]);
@@ -188,7 +187,7 @@ double PointGather::Impl::most_noise(std::size_t band, double light, double refl
   return std::clamp(share_of_error * reflected_error(band, reflected), least, most_easing * least);
 }
 
-/// One standard deviation of the reflected light of a band, by the error of the patches.
+/// One standard deviation of the reflected light of a band, by the patches.
 double PointGather::Impl::reflected_error(std::size_t band, double reflected) const {
   return config.reflected_error *
          (std::max(0.0, reflected) + share_everywhere * mean_irradiance[band]);
@@ -196,16 +195,16 @@ double PointGather::Impl::reflected_error(std::size_t band, double reflected) co
 
 /// Adds the integral of radiosity less control variate over the hemisphere: the mean of several
 /// sets of rays, until the noise is low enough. `variance`: of the light so far; gains the rays'.
-void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
-                                       Random& random,
-                                       const EmitterSampler::ControlVariate& control,
-                                       const Spectrum& emitted, Spectrum& variance,
-                                       PointIrradiance& light) const {
+RayEnds PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32_t own,
+                                          Random& random,
+                                          const EmitterSampler::ControlVariate& control,
+                                          const Spectrum& emitted, Spectrum& variance,
+                                          PointIrradiance& light) const {
   Spectrum& e = light.irradiance;
   const double dark = darkness(mean_irradiance, std::span(e).first(lead_bands));
   const Paths paths{picker.weights(p), far_sides(config.patch_error * dark)};
   Spectrum sum(bands, 0.0), of_rays(bands, 0.0);
-  std::array<int, 2> ends{};
+  RayEnds ends;
   bool noisy = true;
   int rounds = 0;
   while (noisy && rounds < most_ray_sets) {
@@ -224,8 +223,9 @@ void PointGather::Impl::add_hemisphere(const Vec3& p, const Vec3& n, std::uint32
     variance[b] += of_rays[b] / (rounds * rounds);
   }
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(config.rays_in_set()))));
-  light.front_share = static_cast<double>(ends[0]) / (rounds * side * side);
-  light.back_share = static_cast<double>(ends[1]) / (rounds * side * side);
+  light.front_share = static_cast<double>(ends.front) / (rounds * side * side);
+  light.back_share = static_cast<double>(ends.back) / (rounds * side * side);
+  return ends;
 }
 
 PointGather::Impl::Impl(std::span<const ClusterState> of, std::span<const LightSource> by,
@@ -238,7 +238,8 @@ PointGather::Impl::Impl(std::span<const ClusterState> of, std::span<const LightS
       picker(emitters.bright(), by, between, how.seed),
       bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].bands())),
       lead_bands(of.empty() ? 1 : static_cast<std::size_t>(of[0].patches().lead_bands())),
-      mean_irradiance(mean_irradiance_over(of)) {}
+      mean_irradiance(mean_irradiance_over(of)),
+      mean_link_error(mean_link_error_over(of)) {}
 
 PointGather::PointGather(std::span<const ClusterState> clusters,
                          std::span<const LightSource> lights, const Occluders& occluders,
@@ -265,11 +266,13 @@ PointIrradiance PointGather::at(const Vec3& p, const Vec3& n) const {
       x, n, own, survey, rays, least_share(impl_->config), random, e, variance);
   impl_->emitters.add_emitted(control, emitted);
   light.direct = emitted;
-  impl_->add_hemisphere(x, n, own, random, control, emitted, variance, light);
+  const RayEnds ends = impl_->add_hemisphere(x, n, own, random, control, emitted, variance, light);
+  const double doubt = ends.doubt(impl_->mean_link_error);
   for (std::size_t b = 0; b < impl_->bands; ++b) {
     if (e[b] < rounding * control.ambient[b]) e[b] = 0.0;
     light.noise[b] = std::sqrt(variance[b]);
-    light.error[b] = std::hypot(light.noise[b], impl_->reflected_error(b, e[b] - emitted[b]));
+    light.error[b] =
+        std::hypot(light.noise[b], impl_->reflected_error(b, doubt * (e[b] - emitted[b])));
   }
   return light;
 }

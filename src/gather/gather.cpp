@@ -9,6 +9,7 @@
 #include "gather/gathered_light.hpp"
 #include "gather/push_pull.hpp"
 #include "gather/row_closure.hpp"
+#include "hierarchy/link_errors.hpp"
 
 namespace enfilade {
 namespace {
@@ -56,7 +57,6 @@ class Gatherer {
   void take_links(ClusterId cluster, const ClusterState* shooter, bool stale);
   void receive(const LinkSet& links, std::size_t i, const PatchForest* from, AggregateFlow* flow);
   void close_rows();
-  std::uint64_t linked_clusters() const;
 
   ClusterState& receiver_;
   const Shooters& shooters_;
@@ -74,9 +74,10 @@ class Gatherer {
   RowClosure closure_;
   ErrorSamples samples_;
   std::size_t next_ = 0;  ///< first link of the shooters to come; links lie in the shooters' order
-  LinkSet refined_;       ///< the links of the shooters so far, once one of them has changed
-  bool changed_ = false;  ///< one has
-  std::vector<double> flow_;       ///< scratch: reflected power per band that one link brings
+  LinkErrors link_errors_;
+  LinkSet refined_;           ///< the links of the shooters so far, once one of them has changed
+  bool changed_ = false;      ///< one has
+  std::vector<double> flow_;  ///< scratch: reflected power per band that one link brings
   std::vector<double> reflected_;  ///< scratch: reflected radiosity per band of a far shooter
   std::optional<FarFlow> far_flow_;
   std::size_t next_near_ = 0;  ///< first of the refinement's near links that is to come
@@ -201,7 +202,9 @@ void Gatherer::receive(const LinkSet& links, std::size_t i, const PatchForest* s
   const std::span<const double> means = light_.means();
   const double top = light_.most();
   const double importance = refinement_.importance(link.receiver);
-  result_.figures.link_error_power += importance * (link.error * top + link.variation * variation);
+  const double error = link.error * top + link.variation * variation;
+  link_errors_.add(receiver_.patches(), link, error);
+  result_.figures.link_error_power += importance * error;
   result_.figures.visibility_uncertainty_power += importance * link.visibility_error() * top;
   ++result_.figures.work.links_gathered;
   const double factor = area_factor(receiver_.patches(), link, transport);
@@ -237,24 +240,14 @@ GatherResult Gatherer::finish() {
   if (far_flow_) result_.coarse.far = far_flow_->entries(*shooters_.unknowns);
   if (config_.close_rows) close_rows();
   push_pull(receiver_, light_.irradiance(), config_, result_.figures, result_.coarse);
+  link_errors_.set(receiver_.patches());
   result_.figures.error_samples = samples_.compare(receiver_);
   result_.figures.patches = receiver_.patches().size();
   result_.figures.links = receiver_.links().size();
-  result_.figures.linked_clusters = linked_clusters();
+  result_.figures.linked_clusters = linked_clusters(receiver_.links(), receiver_.id());
   receiver_.set_iteration(config_.iteration);
   if (far_) result_.light = light_of(receiver_);
   return std::move(result_);
-}
-
-std::uint64_t Gatherer::linked_clusters() const {
-  std::uint64_t count = 0;
-  ClusterId last;  // links lie in the order of their shooting clusters
-  for (std::size_t i = 0; i < receiver_.links().size(); ++i) {
-    const ClusterId shooter = receiver_.links()[i].shooter_cluster;
-    if (shooter.valid() && shooter != last && shooter != receiver_.id()) ++count;
-    last = shooter;
-  }
-  return count;
 }
 
 /// The light that the closure adds is taken to come from all reflecting shooters in proportion.

@@ -167,6 +167,7 @@ void ClusterCodec::write_patches(const PatchForest& f, ByteWriter& w) {
   w.put_all(f.kept_);
   w.put_all(f.enclosed_share_);
   w.put_all(f.settled_);
+  w.put_all(f.link_error_);
   w.put(f.lit_when_measured_);
   w.put_all(f.unreachable_);
 }
@@ -185,11 +186,13 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
   f.kept_ = r.get_all<double>();
   f.enclosed_share_ = r.get_all<float>();
   f.settled_ = r.get_all<std::uint8_t>();
+  f.link_error_ = r.get_all<float>();
   f.lit_when_measured_ = r.get<std::uint32_t>();
   f.unreachable_ = r.get_all<std::uint8_t>();
   if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
       f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
       f.enclosed_share_.size() != f.nodes_.size() || f.settled_.size() != f.nodes_.size() ||
+      f.link_error_.size() != f.nodes_.size() ||
       f.unreachable_.size() != f.frames_.size()) {
     throw RunError("a cluster's record holds light for another number of patches");
   }
@@ -226,7 +229,7 @@ LinkSet ClusterCodec::read_links(ByteReader& r, std::size_t stride) {
 
 std::size_t ClusterCodec::patches_bytes(const PatchForest& f) {
   return f.frames_.size() +
-         f.nodes_.size() * (2 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1)) +
+         f.nodes_.size() * (3 * sizeof(std::uint32_t) + sizeof(double) * (2 * f.stride() + 1)) +
          f.kept_.size() * sizeof(double);
 }
 

@@ -56,4 +56,15 @@ double area_factor(const PatchForest& receiver, const Link& link,
   return sum;
 }
 
+std::uint64_t linked_clusters(const LinkSet& links, ClusterId own) {
+  std::uint64_t count = 0;
+  ClusterId last;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const ClusterId shooter = links[i].shooter_cluster;
+    if (shooter.valid() && shooter != last && shooter != own) ++count;
+    last = shooter;
+  }
+  return count;
+}
+
 }  // namespace enfilade

@@ -105,6 +105,9 @@ struct FarTerms {
   }
 };
 
+/// Returns the number of shooting clusters but `own`; links lie in the order of their shooters.
+std::uint64_t linked_clusters(const LinkSet& links, ClusterId own);
+
 /// Returns area times form factor of a link (m2): received power per unit of the shooter's mean
 /// radiosity.
 double area_factor(const PatchForest& receiver, const Link& link, std::span<const float> transport);

@@ -46,6 +46,7 @@ PatchForest::PatchForest(const Cluster& cluster, std::vector<PolygonFrame> frame
   deviation_.assign(nodes_.size(), 0.0);
   enclosed_share_.assign(nodes_.size(), -1.0f);
   settled_.assign(nodes_.size(), 0);
+  link_error_.assign(nodes_.size(), 0.0f);
   unreachable_.assign(nodes_.size(), 0);
   for (std::size_t k = 0; k < frames_.size(); ++k) reflect(k);  // no irradiance yet
   std::iota(order_.begin(), order_.end(), 0u);
@@ -152,6 +153,7 @@ std::size_t PatchForest::subdivide(std::size_t leaf) {
     deviation_.push_back(0.0);
     enclosed_share_.push_back(-1.0f);
     settled_.push_back(0);
+    link_error_.push_back(link_error_[leaf]);
   }
   return first;
 }
@@ -220,6 +222,7 @@ void PatchForest::shrink() {
   deviation_.shrink_to_fit();
   enclosed_share_.shrink_to_fit();
   settled_.shrink_to_fit();
+  link_error_.shrink_to_fit();
   kept_.shrink_to_fit();
   for (PatchNode& n : nodes_) n.shape.vertices.shrink_to_fit();
 }

@@ -123,6 +123,10 @@ class PatchForest {
     settled_[node] = settled ? 1 : 0;
   }
   bool enclosed_share_settled(std::size_t node) const { return settled_[node] != 0; }
+  /// Returns the sum of the estimated errors of the links to a leaf and to what lies above it, over
+  /// the leaf's irradiance (largest band); 0 where nothing has been gathered.
+  float link_error(std::size_t node) const { return link_error_[node]; }
+  void set_link_error(std::size_t node, float share) { link_error_[node] = share; }
   /// Marks the enclosed shares that are not settled as not measured, if they were measured with
   /// clearly fewer lit polygons in view than `lit_polygons` (by more than 1 in 256). A smaller
   /// number of lit polygons changes nothing: radiosities that oscillate about zero would trigger
@@ -216,7 +220,7 @@ class PatchForest {
   std::vector<double> radiosity_, irradiance_, deviation_;
   std::vector<double> kept_;  ///< the leaves' irradiance of an earlier iteration, or empty
   std::vector<double> group_radiosity_, group_deviation_, group_exitance_;
-  std::vector<float> enclosed_share_;
+  std::vector<float> enclosed_share_, link_error_;
   std::vector<std::uint8_t> settled_;  ///< per node, of its enclosed share
   /// Number of lit polygons in view when the enclosed shares were measured.
   std::uint32_t lit_when_measured_ = 0;

@@ -74,8 +74,10 @@ ClusterState same_patches(const ClusterState& state, const Cluster& cluster, con
   ENFILADE_CHECK(from.polygons() == to.polygons(), std::to_string(cluster.id.value));
   for (std::size_t n = from.polygons(); n < from.size(); n += 2)  // the halves of a patch
     to.subdivide(static_cast<std::size_t>(from.node(n).parent));
-  for (std::size_t n = 0; n < from.size(); ++n)
+  for (std::size_t n = 0; n < from.size(); ++n) {
     to.set_enclosed_share(n, from.enclosed_share(n), from.enclosed_share_settled(n));
+    to.set_link_error(n, from.link_error(n));
+  }
   for (std::size_t k = 0; k < from.polygons(); ++k) {
     if (from.unreachable(k)) to.mark_unreachable(k);
   }

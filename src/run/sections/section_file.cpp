@@ -11,7 +11,7 @@ namespace enfilade {
 namespace {
 
 constexpr std::array<char, 8> mark = {'E', 'N', 'F', 'C', 'L', 'U', 'S', '\n'};
-constexpr std::uint32_t version = 8;  // 7: places in segments; 8: settled shares
+constexpr std::uint32_t version = 9;  // 8: settled shares; 9: errors of links
 
 /// The header without its own checksum.
 constexpr std::size_t summed_bytes =
