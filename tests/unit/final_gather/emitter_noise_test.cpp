@@ -1,10 +1,13 @@
 // What a point's gather knows of its own error.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "final_gather/emitter_sampler.hpp"
+#include "final_gather/mean_light.hpp"
 #include "final_gather/point_gather.hpp"
+#include "geometry/sampling.hpp"
 #include "unit/gather/box_room.hpp"
 
 namespace enfilade {
@@ -69,6 +72,60 @@ TEST(PointGather, TellsTheErrorOfReflectedLight) {
   EXPECT_DOUBLE_EQ(without.error[0], without.noise[0]);
   EXPECT_GE(with.error[0], 0.1 * reflected);
   EXPECT_LT(with.error[0], 0.2 * with.irradiance[0] + with.noise[0]);
+}
+
+/// Beyond a wall with a door, light comes over few links, which are no finer than those that bring
+/// much more elsewhere. A point there tells more error relative to its light, by as much as plain
+/// rays show that the links' errors are a larger share of it; one in the lit part tells what is
+/// measured all over.
+TEST(PointGather, TellsMoreErrorWhereItSeesLessCertainLight) {
+  Scene scene = testing::box_room({0, 0, 0}, {8, 4, 3}, {0.5}, {0.0});
+  const auto add = [&](const Polygon& corners, double exitance) {
+    Surface surface;
+    surface.vertices = corners;
+    surface.reflectance = {0.5};
+    surface.exitance = {exitance};
+    scene.surfaces.push_back(surface);
+  };
+  add({{1.8, 1.8, 2.9}, {1.8, 2.2, 2.9}, {2.2, 2.2, 2.9}, {2.2, 1.8, 2.9}}, 100.0);
+  for (const bool front : {true, false}) {
+    Polygon wall{{4, 0.3, 0}, {4, 4, 0}, {4, 4, 3}, {4, 0.3, 3}};
+    if (!front) std::reverse(wall.begin(), wall.end());
+    add(wall, 0.0);
+  }
+  const testing::Solved solved(scene, Basis::linear, 1e-3);
+  const double reflected_error = 0.01;
+  const PointGather gather(solved.states, {}, solved.occluders,
+                           {.rays = 1024, .noise = 0.0, .reflected_error = reflected_error});
+  const auto told = [&](const Vec3& p) {
+    const PointIrradiance light = gather.at(p, {0, 0, 1});
+    const double mean = mean_irradiance_over(solved.states)[0];
+    const double bias =
+        std::sqrt(light.error[0] * light.error[0] - light.noise[0] * light.noise[0]);
+    return (bias / reflected_error - 0.1 * mean) / (light.irradiance[0] - light.direct[0]);
+  };
+  // The share of the links' errors in the light that rays from p read.
+  const auto share = [&](const Vec3& p) {
+    Random random(5);
+    double light = 0.0, uncertain = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+      const double r2 = random.uniform(), turn = random.uniform();
+      const Vec3 d = cosine_direction({0, 0, 1}, r2, turn);
+      const RayHit hit = solved.occluders.rays().closest(p, d);
+      const PolygonRef ref = solved.occluders.local(hit.polygon);
+      const PatchForest& patches = solved.states[ref.cluster.index()].patches();
+      const std::size_t leaf = patches.leaf_at(ref.polygon, p + hit.distance_m * d);
+      const double sent = patches.radiosity(leaf)[0] - patches.frames()[ref.polygon].exitance[0];
+      light += sent;
+      uncertain += sent * patches.link_error(leaf);
+    }
+    return uncertain / light;
+  };
+  const Vec3 lit(2.0, 2.0, 0.8), dark(6.0, 2.5, 0.8);
+  const double all_over = mean_link_error_over(solved.states);
+  ASSERT_GT(share(dark), 1.5 * all_over);
+  for (const Vec3& p : {lit, dark})
+    EXPECT_NEAR(told(p), std::max(1.0, share(p) / all_over), 0.15 * told(p));
 }
 
 }  // namespace

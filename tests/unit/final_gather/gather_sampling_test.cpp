@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "final_gather/emitter_picker.hpp"
@@ -121,6 +122,47 @@ TEST(EmitterPicker, PicksOnAPolygonWhatLightsIt) {
   EXPECT_TRUE(testing::has_mean(samples, want, 1, 1e-3 * want));
   // A pick among all 80 alike would have a variance of about 80 times the square of the mean.
   EXPECT_LT(samples.variance(), want * want);
+}
+
+/// A board beside a lamp is bright, but at one end alone: a place below the other end sees what is
+/// there, not the board's mean light. Held against quadrature over the board's own patches.
+TEST(EmitterPicker, ABrightPolygonsLightIsThatOfItsPatches) {
+  Scene scene = testing::box_room({0, 0, 0}, {12, 6, 3}, {0.1}, {0.0});
+  scene.surfaces.push_back(
+      black({{0.9, 2.9, 2.9}, {0.9, 3.1, 2.9}, {1.1, 3.1, 2.9}, {1.1, 2.9, 2.9}}, 5000.0));
+  scene.surfaces.push_back(
+      black({{0.5, 2.6, 2.6}, {2.5, 2.6, 2.6}, {2.5, 3.4, 2.6}, {0.5, 3.4, 2.6}}, 0.0));
+  const std::size_t board = scene.surfaces.size() - 1;
+  scene.surfaces[board].reflectance = {0.8};
+  const testing::Solved solved(scene, Basis::linear, 1e-4);
+  const EmitterSampler sampler(solved.states, solved.occluders);
+  ASSERT_EQ(sampler.bright().size(), 2u);
+  const EmitterPicker picker(sampler.bright(), {}, solved.occluders, 1);
+  const Vec3 p(2.4, 3.0, 2.8), down(0, 0, -1);
+  const PatchForest& patches = solved.states[board].patches();
+  constexpr int side = 600;
+  double want = 0.0, mean = 0.0;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const Vec3 y(0.5 + 2.0 * (i + 0.5) / side, 2.6 + 0.8 * (j + 0.5) / side, 2.6);
+      const double kernel = point_kernel(p, down, y, {0, 0, 1}) * 2.0 * 0.8 / (side * side);
+      std::array<double, 1> radiosity{};
+      patches.evaluate(true, 0, y, radiosity);
+      want += kernel * radiosity[0];
+      mean += kernel * patches.radiosity(0)[0];
+    }
+  }
+  ASSERT_LT(want, 0.5 * mean);
+  const std::vector<double> weights = picker.weights(p);
+  Random random(3);
+  testing::Samples samples;
+  for (int i = 0; i < 40000; ++i) {
+    Spectrum light{0.0};
+    picker.add_picked({p, down, in_air, RayStart::in_air}, weights, random,
+                      std::vector<double>{1.0}, light);
+    samples.add(light[0]);
+  }
+  EXPECT_TRUE(testing::has_mean(samples, want, 1, 1e-3 * want));
 }
 
 /// Of a polygon that more stands before than is cut out, the nodes before which less stands are
