@@ -75,9 +75,8 @@ TEST(PointGather, TellsTheErrorOfReflectedLight) {
 }
 
 /// Beyond a wall with a door, light comes over few links, which are no finer than those that bring
-/// much more elsewhere. A point there tells more error relative to its light, by as much as plain
-/// rays show that the links' errors are a larger share of it; one in the lit part tells what is
-/// measured all over.
+/// much more elsewhere. A point there tells more error relative to its light, up to what plain rays
+/// show of the links' errors; one in the lit part tells what is measured all over.
 TEST(PointGather, TellsMoreErrorWhereItSeesLessCertainLight) {
   Scene scene = testing::box_room({0, 0, 0}, {8, 4, 3}, {0.5}, {0.0});
   const auto add = [&](const Polygon& corners, double exitance) {
@@ -123,9 +122,13 @@ TEST(PointGather, TellsMoreErrorWhereItSeesLessCertainLight) {
   };
   const Vec3 lit(2.0, 2.0, 0.8), dark(6.0, 2.5, 0.8);
   const double all_over = mean_link_error_over(solved.states);
-  ASSERT_GT(share(dark), 1.5 * all_over);
-  for (const Vec3& p : {lit, dark})
-    EXPECT_NEAR(told(p), std::max(1.0, share(p) / all_over), 0.15 * told(p));
+  ASSERT_LT(share(lit), 1.5 * all_over);
+  EXPECT_GE(told(lit), 1.0 - 1e-9);
+  EXPECT_LE(told(lit), 1.5);
+  // Paths go on from patches that are large for their distance, to others that are surer.
+  ASSERT_GT(share(dark), 3.0 * all_over);
+  EXPECT_GE(told(dark), 1.5);
+  EXPECT_LE(told(dark), 1.1 * share(dark) / all_over);
 }
 
 }  // namespace
