@@ -1,5 +1,7 @@
 """The light at points of a small room by paths, for bench/random_rooms.py: direct light in closed form past all occluders, reflected light by
-random paths with a shadow ray to each lamp at each reflection. Only NumPy and tests/accuracy/form_factors/exact_factors.py, and nothing of
+random paths with a shadow ray to each lamp at each reflection. Close to a lamp the kernel has no bound, and the few paths that come there would bring
+light that the standard error of the others does not tell: a shadow ray and the ray that goes on share what both can find, by the balance heuristic
+(Veach 1997, chapter 9), so that no path brings more than a lamp's exitance at a reflection. Only NumPy and tests/accuracy/form_factors/exact_factors.py, and nothing of
 Enfilade. Polygons are convex, with at most 8 corners; all reflect on both sides but lamps, which reflect nothing and send light from their front."""
 import sys
 from pathlib import Path
@@ -71,7 +73,7 @@ class Room:
         return total
 
     def sampled_direct(self, x, n, rng):
-        """Of many points, by one shadow ray to each lamp."""
+        """Of many points, by one shadow ray to each lamp: the part that the rays which go on leave to it."""
         total = np.zeros(len(x))
         for k in self.lamps:
             y = points_on(self.polygons[k], len(x), rng)
@@ -81,8 +83,15 @@ class Room:
             rows = np.flatnonzero(kernel > 0)
             if rows.size:
                 rows = rows[self.open(x[rows], y[rows], k)]
-            total[rows] += self.exitance[k] * self.area[k] * kernel[rows]
+            weight = self.area[k] * kernel[rows]  # density of a ray that goes on, over that of a shadow ray
+            total[rows] += self.exitance[k] * weight / (1 + weight)
         return total
+
+    def met(self, k, t, d, n):
+        """The light that rays from points with normals n find where they meet a lamp: what they leave to shadow rays taken off."""
+        fall = -dot(d, self.n[k])
+        goes_on, shadow = dot(d, n) / np.pi, t * t / (self.area[k] * np.maximum(fall, 1e-300))
+        return np.where(fall > 0, self.exitance[k] * goes_on / (goes_on + shadow), 0.0)
 
     def reflected(self, x, n, paths, rng):
         """(Mean, standard error) per point."""
@@ -93,6 +102,9 @@ class Room:
             d = cosine_directions(n, rng)
             t, k = self.closest(x, d)
             rows = np.flatnonzero(k >= 0)
+            if bounce > 0:  # the points' own direct light is had in closed form
+                lamps = rows[self.exitance[k[rows]] > 0]
+                found[path[lamps]] += carried[lamps] * self.met(k[lamps], t[lamps], d[lamps], n[lamps])
             rows = rows[self.reflectance[k[rows]] > 0]
             x, d, t, k, carried, path = x[rows], d[rows], t[rows], k[rows], carried[rows], path[rows]
             carried = carried * self.reflectance[k]
