@@ -192,8 +192,7 @@ void ClusterCodec::read_patches(PatchForest& f, ByteReader& r) {
   if (f.radiosity_.size() != f.nodes_.size() * f.stride() ||
       f.irradiance_.size() != f.radiosity_.size() || f.deviation_.size() != f.nodes_.size() ||
       f.enclosed_share_.size() != f.nodes_.size() || f.settled_.size() != f.nodes_.size() ||
-      f.link_error_.size() != f.nodes_.size() ||
-      f.unreachable_.size() != f.frames_.size()) {
+      f.link_error_.size() != f.nodes_.size() || f.unreachable_.size() != f.frames_.size()) {
     throw RunError("a cluster's record holds light for another number of patches");
   }
   // Each split makes one leaf more.
