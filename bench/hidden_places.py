@@ -37,12 +37,12 @@ def lamp(x, y, z, a, b, exitance=100.0):
 
 
 def furniture(rng):
-    """A cupboard, or a desk with a panel, close to the wall of a bright window; points 3 to 15 cm behind it."""
+    """A cupboard, or a desk with a panel, close to the wall of a bright window; points in the gap behind it, on its back and on the wall."""
     w, d, h = rng.uniform(3, 5), rng.uniform(3, 5), rng.uniform(2.4, 3)
     surfaces = room_sides(w, d, h, [round(rng.uniform(0.2, 0.8), 2) for _ in range(6)])
     wide, y = rng.uniform(0.8, 1.6), rng.uniform(1.2, d - 1.2)
     low, high = rng.uniform(0.8, 1.1), rng.uniform(1.8, 2.2)
-    surfaces.append(surface("window", [[0.01, y - wide / 2, low], [0.01, y + wide / 2, low], [0.01, y + wide / 2, high], [0.01, y - wide / 2, high]], 0.1, 1000.0))
+    surfaces.append(surface("window", [[0.01, y - wide / 2, low], [0.01, y + wide / 2, low], [0.01, y + wide / 2, high], [0.01, y - wide / 2, high]], 0.0, 1000.0))
     gap, side = rng.uniform(0.12, 0.3), rng.choice((-1, 1))
     at = y + side * rng.uniform(0.0, wide)
     lo, hi = at - rng.uniform(0.3, 0.8), at + rng.uniform(0.3, 0.8)
@@ -79,7 +79,7 @@ def slit(rng):
 
 
 def tube(rng):
-    """An open tube in a room with a lamp; points on its axis and on its wall."""
+    """An open tube in a room with a lamp; points on its axis."""
     w, d, h = rng.uniform(4, 5), rng.uniform(3, 4), rng.uniform(2.4, 3)
     surfaces = room_sides(w, d, h, [round(rng.uniform(0.2, 0.8), 2) for _ in range(6)])
     sides, radius, length = rng.choice((4, 6, 8, 12)), rng.uniform(0.05, 0.3), rng.uniform(0.6, 2.0)

@@ -3,6 +3,19 @@
 #include <algorithm>
 
 namespace enfilade {
+namespace {
+
+/// The mean light that a node reflects, of the largest band.
+double largest_reflected(const PatchForest& forest, std::size_t node) {
+  const BandValues& exitance = forest.frames()[forest.node(node).id.root].exitance;
+  const auto terms = static_cast<std::size_t>(forest.terms());
+  double largest = 0.0;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(forest.lead_bands()); ++b)
+    largest = std::max(largest, forest.radiosity(node)[b * terms] - exitance[b]);
+  return largest;
+}
+
+}  // namespace
 
 Spectrum mean_irradiance_over(std::span<const ClusterState> clusters) {
   Spectrum mean(clusters.empty() ? 1 : static_cast<std::size_t>(clusters[0].bands()), 0.0);
@@ -28,9 +41,7 @@ double mean_link_error_over(std::span<const ClusterState> clusters) {
     for (std::size_t n = 0; n < patches.size(); ++n) {
       const PatchNode& node = patches.node(n);
       if (!node.leaf()) continue;
-      const double reflected =
-          node.shape.area_m2 *
-          std::max(0.0, patches.radiosity(n)[0] - patches.frames()[node.id.root].exitance[0]);
+      const double reflected = node.shape.area_m2 * largest_reflected(patches, n);
       power += reflected;
       uncertain += reflected * patches.link_error(n);
     }

@@ -10,7 +10,7 @@ namespace enfilade {
 /// Returns the mean irradiance per band, weighted by area; one zero where there is no cluster.
 Spectrum mean_irradiance_over(std::span<const ClusterState> clusters);
 /// Returns the mean of PatchForest::link_error() over the leaves, weighted by the power that they
-/// reflect (first band).
+/// reflect, largest band.
 double mean_link_error_over(std::span<const ClusterState> clusters);
 /// Returns the mean radiosity of the largest band, weighted by area.
 double mean_radiosity_over(std::span<const ClusterState> clusters);

@@ -34,7 +34,8 @@ struct ErrorSampleSums {
   Spectrum surplus;  ///< irradiance of the points less that of the patches
   Spectrum off;      ///< sum of |point - patch|
   Spectrum noise;    ///< the part of `off` due to sampling: half the difference of the two halves
-  Spectrum surplus_variance{};  ///< of `surplus`, which is a sum over independent points
+  /// Sum of the squares of what the points add to `surplus`: no less than the variance of that.
+  Spectrum surplus_variance{};
 };
 /// Adds the sums of a part (a cluster, a rank).
 void add(ErrorSampleSums& sums, const ErrorSampleSums& part);

@@ -16,9 +16,6 @@ constexpr double deviation_of_uncertainty = 0.5;
 /// Least number of rays of a whole cluster: a narrow opening must not be missed.
 constexpr double least_rays = 512.0;
 constexpr int least_rings = 4;
-/// An enclosed share is settled where further lit polygons can add no more than this, a quarter of
-/// its standard deviation by the fewest rays.
-constexpr double settled_share = 1.0 / 64.0;
 /// The transports of reflected light of a row may sum to more than its enclosed share, since what a
 /// leaf sees of a far node may be brighter than its mean; no further than to this over the leaf's
 /// reflectance, or light would grow from iteration to iteration.
@@ -145,8 +142,7 @@ std::vector<char> RowClosure::find_openings(int rings, const Occluders& occluder
     if (patches.unreachable(node.id.root)) patches.set_enclosed_share(n, 0.0f, true);
     if (patches.enclosed_share(n) < 0.0f && !frozen) {
       const EnclosedShare found = enclosed_share(receiver_, node, rings, occluders, is_lit, work);
-      patches.set_enclosed_share(n, static_cast<float>(found.share),
-                                 found.pending <= settled_share);
+      patches.set_enclosed_share(n, static_cast<float>(found.share), found.pending == 0.0);
     }
     if (patches.enclosed_share(n) < 1.0f) open[node.id.root] = 1;
   }

@@ -21,8 +21,8 @@ Triangle longest_first(const Triangle& t) {
   return edge[1] >= edge[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-/// Squared distance below which no corner comes nearer than the polygon is large: from the corner
-/// that is closest, less the size.
+/// True where the closest corner is farther away than the square root of `far2` times the longest
+/// distance of a corner from the first.
 bool is_far(const Vec3& x, std::span<const Vec3> corners, double far2) {
   double nearest2 = square(corners[0] - x), size2 = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) {

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace enfilade {
+namespace {
+
+/// Next to nothing arrives where the errors are so many times the light.
+constexpr double most_share = 1e6;
+
+}  // namespace
 
 void LinkErrors::add(const PatchForest& receiver, const Link& link, double power) {
   irradiance_.resize(receiver.size(), 0.0);
@@ -26,7 +32,8 @@ void LinkErrors::set(PatchForest& receiver) {
     double most = 0.0;
     for (std::size_t b = 0; b < static_cast<std::size_t>(receiver.lead_bands()); ++b)
       most = std::max(most, receiver.irradiance(n)[b * terms]);
-    receiver.set_link_error(n, most > 0.0 ? static_cast<float>(irradiance_[n] / most) : 0.0f);
+    const double share = most > 0.0 ? std::min(irradiance_[n] / most, most_share) : 0.0;
+    receiver.set_link_error(n, static_cast<float>(share));
   }
 }
 

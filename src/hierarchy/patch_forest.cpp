@@ -211,7 +211,9 @@ std::size_t PatchForest::memory_bytes() const {
   }
   return nodes_.capacity() * sizeof(PatchNode) + corners * sizeof(Vec2) +
          (radiosity_.capacity() + irradiance_.capacity() + deviation_.capacity()) * sizeof(double) +
-         kept_.capacity() * sizeof(double) + frames_.size() * (sizeof(PolygonFrame) + in_frames) +
+         (enclosed_share_.capacity() + link_error_.capacity()) * sizeof(float) +
+         settled_.capacity() + kept_.capacity() * sizeof(double) +
+         frames_.size() * (sizeof(PolygonFrame) + in_frames) +
          groups_.size() * (sizeof(GroupNode) + sizeof(double) * (2 * bands + 1));
 }
 

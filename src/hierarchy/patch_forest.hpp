@@ -117,7 +117,7 @@ class PatchForest {
   /// Returns the share of the node's cosine-weighted hemisphere that ends on a lit front side, by
   /// rays; negative = not measured.
   float enclosed_share(std::size_t node) const { return enclosed_share_[node]; }
-  /// `settled`: further lit polygons do not change it, as nearly all front sides in view are lit.
+  /// `settled`: further lit polygons do not change it, as all front sides in view are lit.
   void set_enclosed_share(std::size_t node, float share, bool settled) {
     enclosed_share_[node] = share;
     settled_[node] = settled ? 1 : 0;

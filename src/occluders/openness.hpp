@@ -16,7 +16,7 @@ using EndsRay = std::function<bool(const PolygonRef&)>;
 /// What rays find around a patch.
 struct EnclosedShare {
   double share = 0.0;    ///< 0 .. 1
-  double pending = 0.0;  ///< share of the rays that ended on a front side which does not count
+  double pending = 0.0;  ///< front sides that were met and do not count, for each ray
 };
 
 /// Returns the share of cosine-distributed rays from random points of patch `node` that end on a

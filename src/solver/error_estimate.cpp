@@ -78,15 +78,22 @@ double gather_noise(const IterationSummary* sampled, double patch_error, std::si
   return std::min(noise, std::max(mean_over_standard_error * config.least_noise(), 0.25 * noise));
 }
 
+/// Returns the sum of the links' estimated errors over that of the last sampling, relative to the
+/// light.
+double finer_since(const IterationSummary& sampled, const IterationFigures& last) {
+  const double now = share_of_received(last.link_error_power, last.received_power);
+  const double then =
+      share_of_received(sampled.figures.link_error_power, sampled.figures.received_power);
+  return then > 0.0 ? now / then : 1.0;
+}
+
 /// Returns the local error of the patches in band b.
 double local_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationFigures& last = history.back().figures;
-  const double now = share_of_received(last.link_error_power, last.received_power);
   const IterationSummary* sampled = last_sampled(history);
-  if (sampled == nullptr) return share_before_sampling * now;
-  const double then =
-      share_of_received(sampled->figures.link_error_power, sampled->figures.received_power);
-  return residual(sampled->figures.error_samples, b) * (then > 0.0 ? now / then : 1.0);
+  if (sampled == nullptr)
+    return share_before_sampling * share_of_received(last.link_error_power, last.received_power);
+  return residual(sampled->figures.error_samples, b) * finer_since(*sampled, last);
 }
 
 /// Returns the part of it that does not cancel where a point gathers over many patches. What is
@@ -95,7 +102,8 @@ double shared_error(std::span<const IterationSummary> history, std::size_t b) {
   const IterationSummary* sampled = last_sampled(history);
   if (sampled == nullptr) return 0.0;
   const double kept = 1.0 - reflected_share(sampled->figures, b);
-  return shared_residual(sampled->figures.error_samples, b) / std::max(kept, least_kept);
+  return shared_residual(sampled->figures.error_samples, b) *
+         finer_since(*sampled, history.back().figures) / std::max(kept, least_kept);
 }
 
 /// True where the last iteration tightened no tolerance, and used the row closure and the flux
@@ -197,8 +205,9 @@ ErrorEstimate estimate_error(std::span<const IterationSummary> history,
   };
   const std::size_t bands = std::min(surfaces.bands.size(), figures.absorbed_power.size());
   const auto seen_by_points = [&](std::size_t b) {
-    return reflected_share(figures, b) * std::hypot(share_seen_together * local_error(history, b),
-                                                    shared_error(history, b), all_over(b));
+    return reflected_share(figures, b) *
+           std::hypot(share_seen_together * local_error(history, b),
+                      std::max(shared_error(history, b), all_over(b)));
   };
   estimate.patches = estimate.iteration + worst(bands, [&](std::size_t b) {
                        return std::hypot(local_error(history, b), all_over(b)) + seen_by_points(b);

@@ -60,7 +60,8 @@ struct PlanWeights {
   double first_epsilon_share = 2.5e-3;
   /// That of a building with at most so many clusters; in a larger one the tolerance is a share of
   /// the power of so many. A link's error is absolute: a share of all power would leave each part
-  /// of a building coarser, the more there is beside it.
+  /// of a building coarser, the more there is beside it. With a share of all power, 14,300 clusters
+  /// (schependomlaan) had the right light, and 43,000 (10 storeys) lacked a quarter of it.
   double clusters_at_first_epsilon = 16000.0;
   /// The same is so many times coarser where errors count at points alone: importance makes links
   /// finer by itself where they matter.

@@ -125,6 +125,9 @@ TEST(PatchForest, ForgetsEnclosedSharesThatAreNotSettled) {
   f.set_enclosed_share(second, 0.25f, false);
   f.forget_enclosed_shares_below(10);
   EXPECT_EQ(f.enclosed_share(second), 0.25f);
+  const ClusterState read(state.bytes_of(Section::geometry), state.bytes_of(Section::patches), {});
+  EXPECT_TRUE(read.patches().enclosed_share_settled(first));
+  EXPECT_FALSE(read.patches().enclosed_share_settled(second));
   f.forget_enclosed_shares_below(11);
   EXPECT_EQ(f.enclosed_share(first), 0.5f);
   EXPECT_LT(f.enclosed_share(second), 0.0f);

@@ -61,8 +61,10 @@ TEST(SamePatches, HaveTheOldOnesCutsAndLinksAndTheNewSceneLight) {
   ClusterState state(clusters[0], scene, Basis::linear);
   PatchForest& patches = state.patches();
   patches.subdivide(patches.subdivide(0) + 1);
-  for (std::size_t n = 0; n < patches.size(); ++n)
+  for (std::size_t n = 0; n < patches.size(); ++n) {
     patches.set_enclosed_share(n, 0.1f * static_cast<float>(n), n % 2 == 0);
+    patches.set_link_error(n, 0.2f * static_cast<float>(n));
+  }
   patches.mark_unreachable(0);
   Link link;
   link.shooter_cluster = ClusterId(1u);
@@ -81,6 +83,7 @@ TEST(SamePatches, HaveTheOldOnesCutsAndLinksAndTheNewSceneLight) {
     EXPECT_EQ(same.patches().node(n).shape.area_m2, patches.node(n).shape.area_m2);
     EXPECT_EQ(same.patches().enclosed_share(n), patches.enclosed_share(n));
     EXPECT_EQ(same.patches().enclosed_share_settled(n), n % 2 == 0);
+    EXPECT_EQ(same.patches().link_error(n), patches.link_error(n));
     EXPECT_EQ(same.patches().irradiance(n)[0], 0.0);
     EXPECT_EQ(same.patches().radiosity(n)[3 * share_band(2, 1, 1)], 2.0);
     EXPECT_EQ(same.patches().radiosity(n)[3 * share_band(2, 2, 1)], 0.0);
