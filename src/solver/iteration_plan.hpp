@@ -72,9 +72,6 @@ struct PlanWeights {
   /// Share of the target error that is left to the iterations; also the floor of the flux
   /// correction.
   double iteration_share = 0.02;
-  /// Errors are sampled once the changes to come are below this share of the target error. Points
-  /// and patches receive from the same light, so that what is still to come hardly counts there.
-  double sampling_share = 0.1;
   /// Light counts as fully distributed once the relative change of an iteration falls below this.
   double settled_change = 0.1;
   /// Links count as stable when at most one in links_per_refined was refined in an iteration.

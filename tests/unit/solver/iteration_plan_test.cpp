@@ -63,18 +63,6 @@ TEST(IterationPlan, GoesOnWhileLinksAreRefinedOrLightMoves) {
   EXPECT_FALSE(next_plan(moving, plan_settings).sample);
 }
 
-/// Patches and points receive from the same light: what is still to come hardly counts.
-TEST(IterationPlan, SamplesBeforeTheIterationsHaveConverged) {
-  const PlanConfig asked{
-      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.02, .max_iterations = 50};
-  const auto plan = [&](double bound) {
-    const std::vector<IterationSummary> history = {summary(1, 0.5, 9000), summary(2, bound)};
-    return next_plan(history, asked);
-  };
-  EXPECT_TRUE(plan(1.9e-3).sample);
-  EXPECT_FALSE(plan(2.1e-3).sample);
-}
-
 TEST(IterationPlan, RowsOnceClosedStayClosed) {
   std::vector<IterationSummary> history = {summary(1, 0.5, 9000)};
   history.back().plan.close_rows = false;
