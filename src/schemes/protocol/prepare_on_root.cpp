@@ -2,8 +2,6 @@
 
 #include <optional>
 
-#include "base/peak_memory.hpp"
-
 namespace enfilade {
 
 Prepared prepare_on_root(Communicator& communicator, const SceneSource& read,
@@ -14,7 +12,6 @@ Prepared prepare_on_root(Communicator& communicator, const SceneSource& read,
       [&] { prepared = prepare_or_load(read, run_directory, config, progress, resume, lock); });
   lock.join(run_directory);
   if (!prepared) prepared = load_prepared(run_directory);
-  release_freed_memory();
   warnings = prepared->warnings;
   return std::move(*prepared);
 }
