@@ -70,6 +70,7 @@ std::vector<Rank> assign(const ClusterGraph& graph, const FormFactorEstimate& we
   ENFILADE_CHECK(config.parts >= 1, std::to_string(config.parts));
   ENFILADE_CHECK(weights.size() == 0 || weights.size() == graph.size(),
                  std::to_string(weights.size()));
+  if (config.parts == 1) return std::vector<Rank>(graph.size(), Rank{0});
   // No more clusters than ranks: one each.
   if (graph.size() <= static_cast<std::size_t>(config.parts)) {
     return round_robin(graph.size(), config.parts);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "geometry/sampling.hpp"
@@ -11,6 +12,8 @@ namespace enfilade {
 namespace {
 
 constexpr int steps_from_dark = 8;
+/// Lights and emitting pieces that count as near to a cell: those of a room and its neighbours.
+constexpr std::size_t near_sources = 16;
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 RayScene rays_of(const Scene& scene, std::span<const CellPiece> pieces) {
@@ -43,6 +46,7 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
     ENFILADE_CHECK(piece.cell.valid(), std::to_string(faces_.size()));
     last_found_.resize(std::max(last_found_.size(), piece.cell.index() + 1), none);
   }
+  nearest_.resize(last_found_.size());
 }
 
 bool LightWalk::finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int walks,
@@ -78,10 +82,31 @@ bool LightWalk::finds_light_from(std::size_t piece, const Vec3& p, const Vec3& n
   if (count == 0) return false;
   std::size_t& last = last_found_[pieces_[piece].cell.index()];
   if (last < count && sees(last, p, n, random)) return true;
-  const std::size_t any = random.below(count);
+  const std::size_t any = draw_source(pieces_[piece].cell, p, random);
   if (any == last || !sees(any, p, n, random)) return false;
   last = any;
   return true;
+}
+
+Vec3 LightWalk::place_of(std::size_t source) const {
+  if (source < lights_.size()) return lights_[source].p;
+  return pieces_[emitters_[source - lights_.size()]].piece.polygon.front();
+}
+
+/// Of all sources, or of those nearest to a point of the cell. There is one.
+std::size_t LightWalk::draw_source(CellId cell, const Vec3& p, Random& random) {
+  const std::size_t count = lights_.size() + emitters_.size();
+  if (count <= near_sources || random.below(2) == 0) return random.below(count);
+  std::vector<std::uint32_t>& nearest = nearest_[cell.index()];
+  if (nearest.empty()) {
+    std::vector<std::pair<double, std::uint32_t>> by_distance;
+    by_distance.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      by_distance.emplace_back(glm::distance(place_of(i), p), static_cast<std::uint32_t>(i));
+    std::nth_element(by_distance.begin(), by_distance.begin() + near_sources, by_distance.end());
+    for (std::size_t i = 0; i < near_sources; ++i) nearest.push_back(by_distance[i].second);
+  }
+  return nearest[random.below(near_sources)];
 }
 
 bool LightWalk::sees(std::size_t light, const Vec3& p, const Vec3& n, Random& random) const {

@@ -98,12 +98,20 @@ void BuildingLight::sum() {
   const std::span<const BuildingTree::Node> nodes = tree_.nodes();
   const std::size_t most = (directions + 1) * bands_ + 2;
   for (const ClusterId cluster : tree_.clusters()) share_reflected(cluster);
+  brightest_.resize(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parent
-    if (nodes[i].leaf()) continue;
+    const auto k = static_cast<std::uint32_t>(i);
+    if (nodes[i].leaf()) {
+      brightest_[i] = brightest_face(k);
+      continue;
+    }
     const std::span<const double> a = row(nodes[i].left), b = row(nodes[i].right);
-    const std::span<double> to = row(static_cast<std::uint32_t>(i));
-    for (std::size_t k = 0; k < width_; ++k) to[k] = a[k] + b[k];
+    const std::span<double> to = row(k);
+    for (std::size_t j = 0; j < width_; ++j) to[j] = a[j] + b[j];
     to[most] = std::max(a[most], b[most]);
+    brightest_[i] = nodes[i].end_cell - nodes[i].first_cell == 1
+                        ? brightest_face(k)
+                        : std::max(brightest_[nodes[i].left], brightest_[nodes[i].right]);
   }
   // A node and its sibling are weighed with their parent's mean radiosity.
   draws_.resize(nodes.size());
@@ -114,6 +122,16 @@ void BuildingLight::sum() {
     make_draw(node.left, mean);
     make_draw(node.right, mean);
   }
+}
+
+double BuildingLight::brightest_face(std::uint32_t node) const {
+  const std::array<double, directions>& facing_m2 = tree_.node(node).facing_m2;
+  double brightest = 0.0;
+  for (std::size_t k = 0; k < directions; ++k) {
+    for (std::size_t b = 0; b < bands_ && facing_m2[k] > 0.0; ++b)
+      brightest = std::max(brightest, row(node)[k * bands_ + b] / facing_m2[k]);
+  }
+  return brightest;
 }
 
 /// Half by light and half by area, so that neither dim nor small parts are missed.

@@ -48,6 +48,9 @@ class BuildingLight {
   /// Returns what the node sends to direction w: its radiosity times the area that faces w, worst
   /// band.
   double intensity(std::uint32_t node, const Vec3& w) const;
+  /// Returns the radiosity, worst band, that no cell of the node exceeds as the mean of its polygons
+  /// that face one of the six directions; of the node's own polygons where it lies in one cell.
+  double brightest(std::uint32_t node) const { return brightest_[node]; }
   /// Returns the power that the node sends, all directions together, worst band.
   double power(std::uint32_t node) const;
   /// What drawing a cluster needs of a node, in one line of the cache.
@@ -90,6 +93,7 @@ class BuildingLight {
                           const std::array<double, directions>& share) const;
   void share_reflected(ClusterId cluster);
   void make_draw(std::uint32_t node, double mean);
+  double brightest_face(std::uint32_t node) const;
   const double* emitted_row(std::uint32_t node) const {
     return emitted_.data() + node * directions * bands_;
   }
@@ -103,6 +107,7 @@ class BuildingLight {
   std::vector<double> rows_;            ///< ClusterLight of each node
   std::vector<double> emitted_;         ///< per node: power by direction and band that it emits
   std::vector<Draw> draws_;             ///< by node
+  std::vector<double> brightest_;       ///< by node
   std::vector<PolygonLight> polygons_;  ///< of cluster c from first_polygon_[c] on
   std::vector<std::uint32_t> first_polygon_;
 };

@@ -67,8 +67,8 @@ std::shared_ptr<const TreeSight> FarField::sight_of(ClusterId receiver) const {
   return sight;
 }
 
-ClusterId FarView::pick_cluster(std::uint32_t node, const Vec3& x, double& pick,
-                                double& probability) const {
+/// The probability that a draw goes on to the left child.
+double FarView::share_of_left(const BuildingTree::Node& node, const Vec3& x) const {
   const auto sent = [&](std::uint32_t part) {
     const BuildingLight::Draw& draw = light().draw(part);
     const Vec3 d = x - Vec3(draw.center[0], draw.center[1], draw.center[2]);
@@ -84,11 +84,16 @@ ClusterId FarView::pick_cluster(std::uint32_t node, const Vec3& x, double& pick,
     }
     return weight / std::max(r2, static_cast<double>(draw.size2));
   };
+  const double left = sent(node.left), right = sent(node.right);
+  return left + right > 0.0 ? left / (left + right) : 0.5;
+}
+
+ClusterId FarView::pick_cluster(std::uint32_t node, const Vec3& x, double& pick,
+                                double& probability) const {
   probability = 1.0;
   while (!tree().node(node).leaf()) {
     const BuildingTree::Node& n = tree().node(node);
-    const double left = sent(n.left), right = sent(n.right);
-    const double share = left + right > 0.0 ? left / (left + right) : 0.5;
+    const double share = share_of_left(n, x);
     const bool goes_left = pick < share;
     probability *= goes_left ? share : 1.0 - share;
     pick = goes_left ? pick / share : (pick - share) / (1.0 - share);
@@ -96,6 +101,18 @@ ClusterId FarView::pick_cluster(std::uint32_t node, const Vec3& x, double& pick,
   }
   pick = std::min(pick, 1.0 - 1e-12);
   return tree().node(node).cluster;
+}
+
+double FarView::probability_of(std::uint32_t node, const Vec3& x, ClusterId cluster) const {
+  double probability = 1.0;
+  while (!tree().node(node).leaf()) {
+    const BuildingTree::Node& n = tree().node(node);
+    const double share = share_of_left(n, x);
+    const bool goes_left = contains(n.left, cluster);
+    probability *= goes_left ? share : 1.0 - share;
+    node = goes_left ? n.left : n.right;
+  }
+  return probability;
 }
 
 }  // namespace enfilade

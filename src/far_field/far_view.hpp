@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "far_field/building_light.hpp"
+#include "far_field/portal_exchange.hpp"
 #include "visibility/cell_sights.hpp"
 
 namespace enfilade {
@@ -36,12 +37,13 @@ class FarField {
  public:
   /// All must outlive it.
   FarField(const BuildingTree& of_tree, const BuildingLight& of_light, const CellSights& of_cells)
-      : tree(of_tree), light(of_light), sights(of_cells) {}
+      : tree(of_tree), light(of_light), sights(of_cells), exchange(of_tree, of_cells) {}
   std::shared_ptr<const TreeSight> sight_of(ClusterId receiver) const;
 
   const BuildingTree& tree;
   const BuildingLight& light;
   const CellSights& sights;
+  const PortalExchange exchange;
 
  private:
   /// By the cells that clusters lie in, once they are asked for.
@@ -60,12 +62,27 @@ class FarView {
     if (!sight_) sight_ = field_.sight_of(receiver_);
     return sight_->may_see(field_.tree, field_.sights, node);
   }
+  /// Returns an upper bound of the power that portals let pass from the node to what lies in `box`,
+  /// polygons of `m2` of the receiving cluster: infinite where they share a cell.
+  double portal_power(std::uint32_t node, const Box& box, double m2) const {
+    const std::span<const CellId> own = field_.sights.cells_of(receiver_);
+    const double brightest = light().brightest(node);
+    return brightest > 0.0 ? field_.exchange.bound_m2(own, box, m2, node) * brightest : 0.0;
+  }
   /// Returns a cluster of the node, drawn by its estimated share of what they send to x. `pick` is
   /// uniform in [0, 1); what is left of it is again. `probability` becomes the cluster's.
   ClusterId pick_cluster(std::uint32_t node, const Vec3& x, double& pick,
                          double& probability) const;
+  /// Returns the probability that pick_cluster() draws this cluster of the node.
+  double probability_of(std::uint32_t node, const Vec3& x, ClusterId cluster) const;
+  bool contains(std::uint32_t node, ClusterId cluster) const {
+    const std::uint32_t place = tree().node(tree().leaf_of(cluster)).begin;
+    return tree().node(node).begin <= place && place < tree().node(node).end;
+  }
 
  private:
+  double share_of_left(const BuildingTree::Node& node, const Vec3& x) const;
+
   const FarField& field_;
   ClusterId receiver_;
   mutable std::shared_ptr<const TreeSight> sight_;  ///< once it is asked for

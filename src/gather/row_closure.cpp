@@ -86,16 +86,10 @@ void RowClosure::add(const Link& link, std::span<const float> transport,
   const PatchForest& patches = receiver_.patches();
   const float factor = link.is_far() ? transport[FarTerms::of(link).factor] : transport[0];
   if (link.receiver.is_group()) {
-    const GroupNode& group = patches.groups()[link.receiver.group()];
-    for (std::uint32_t j = group.begin; j < group.end; ++j) {
-      const std::uint32_t k = patches.order()[j];
-      const double cosine =
-          glm::dot(patches.frames()[k].n, Vec3(transport[1], transport[2], transport[3]));
-      if (cosine > 0.0 && !patches.unreachable(k)) {
-        add(k, {factor * cosine, factor * cosine * group_uncertainty, 0.0, transport[0] * cosine},
-            light, reflected);
-      }
-    }
+    for_each_facing(patches, link, transport, [&](std::uint32_t k, double cosine) {
+      add(k, {factor * cosine, factor * cosine * group_uncertainty, 0.0, transport[0] * cosine},
+          light, reflected);
+    });
     return;
   }
   // A link without any transport has no uncertainty here: the missing light comes from visible

@@ -81,15 +81,16 @@ class LinkSet {
 
 /// Calls take(polygon, cosine) for those polygons of a receiving group that face the link's
 /// direction and are not unreachable. A group receives as if light came from one direction,
-/// transport[1..3].
+/// transport[1..3]; where that is 0, from all sides: by all polygons alike, with cosine 1.
 template <class Take>
 void for_each_facing(const PatchForest& receiver, const Link& link,
                      std::span<const float> transport, Take take) {
   const GroupNode& group = receiver.groups()[link.receiver.group()];
   const Vec3 toward(transport[1], transport[2], transport[3]);
+  const bool all_sides = toward == Vec3(0.0);
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
     const std::uint32_t k = receiver.order()[i];
-    const double cosine = glm::dot(receiver.frames()[k].n, toward);
+    const double cosine = all_sides ? 1.0 : glm::dot(receiver.frames()[k].n, toward);
     if (cosine > 0.0 && !receiver.unreachable(k)) take(k, cosine);
   }
 }

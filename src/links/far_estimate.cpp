@@ -80,44 +80,84 @@ double rough_kernel(const Vec3& x, const Vec3& n, const BuildingLight::PolygonLi
   return received * sent / (r2 + 0.25 * polygon.area_m2);
 }
 
+/// The polygons of a cluster by what each is about to send to a point.
+struct PolygonWeights {
+  boost::container::small_vector<double, 64> of;
+  double total = 0.0;
+
+  PolygonWeights(std::span<const BuildingLight::PolygonLight> polygons, const Vec3& x,
+                 const Vec3& n) {
+    double power = 0.0, m2 = 0.0;
+    for (const BuildingLight::PolygonLight& polygon : polygons) {
+      power += polygon.power;
+      m2 += polygon.area_m2;
+    }
+    const double mean = power / m2;
+    for (const BuildingLight::PolygonLight& polygon : polygons) {
+      const double weight = polygon.power + mean * polygon.area_m2;
+      of.push_back(polygon.plane.signed_distance(x) > 0.0 ? weight * rough_kernel(x, n, polygon)
+                                                          : 0.0);
+      total += of.back();
+    }
+  }
+  /// Returns a polygon's number; `pick` is uniform in [0, 1), and total is above 0.
+  std::uint32_t draw(double pick) const {
+    pick *= total;
+    std::uint32_t k = 0;
+    while (k + 1 < of.size() && pick >= of[k]) pick -= of[k++];
+    return k;
+  }
+};
+
+/// What a point of a polygon sends, which stands for this form factor.
+ShooterSample sample_at(const Vec3& y, std::uint32_t global,
+                        const BuildingLight::PolygonLight& polygon, double factor) {
+  return {y, global, factor, factor * polygon.emitted / polygon.area_m2,
+          factor * (polygon.power - polygon.emitted) / polygon.area_m2};
+}
+
+/// Shares the light between two ways to sample it (the balance heuristic: Veach and Guibas 1995): a
+/// point of the node that is drawn by its light stands for this form factor, the end of a ray that
+/// is drawn by its cosine for 1.
+double balanced(double factor) { return factor / (1.0 + factor); }
+
 /// A cluster by its share of the light and of the area that the node turns to x, a polygon by its
 /// share of the cluster's, then a point on it, uniformly.
-ShooterSample sample_of(const LinkSide& shooter, const Vec3& x, const Vec3& n, double pick,
-                        const Occluders& occluders, Random& random) {
+ShooterSample point_of_node(const LinkSide& shooter, const Vec3& x, const Vec3& n, double pick,
+                            bool with_rays, const Occluders& occluders, Random& random) {
   double chosen = 1.0;
   const ClusterId cluster = shooter.far->pick_cluster(shooter.id.group(), x, pick, chosen);
-  const std::uint32_t first = occluders.global(cluster, 0);
   const auto polygons = shooter.far->light().polygons(cluster);
-  double power = 0.0, m2 = 0.0;
-  for (const BuildingLight::PolygonLight& polygon : polygons) {
-    power += polygon.power;
-    m2 += polygon.area_m2;
+  const PolygonWeights weights(polygons, x, n);
+  if (weights.total <= 0.0) return {};
+  const std::uint32_t k = weights.draw(pick);
+  if (weights.of[k] <= 0.0) return {};
+  const std::uint32_t global = occluders.global(cluster, k);
+  const Vec3 y = uniform_point(occluders.polygon(global), random.uniform(), random.uniform());
+  const double factor = point_kernel(x, n, y, polygons[k].plane.n) * polygons[k].area_m2 *
+                        weights.total / (chosen * weights.of[k]);
+  return sample_at(y, global, polygons[k], with_rays ? balanced(factor) : std::min(1.0, factor));
+}
+
+/// What a ray from x meets, if it is a front side of the node.
+ShooterSample end_of_ray(const LinkSide& shooter, const Vec3& x, const Vec3& n, const Vec3& d,
+                         std::uint32_t own, const Occluders& occluders) {
+  const RayHit hit = occluders.rays().closest(x, d, own);
+  if (!hit.any() || !hit.front) return {};
+  const PolygonRef met = occluders.local(hit.polygon);
+  const std::uint32_t node = shooter.id.group();
+  if (!shooter.far->contains(node, met.cluster)) return {};
+  const auto polygons = shooter.far->light().polygons(met.cluster);
+  const PolygonWeights weights(polygons, x, n);
+  const Vec3 y = x + hit.distance_m * d;
+  double share = 1.0;  // where it cannot be drawn the other way
+  if (weights.total > 0.0 && weights.of[met.polygon] > 0.0) {
+    const BuildingLight::PolygonLight& polygon = polygons[met.polygon];
+    const double chosen = shooter.far->probability_of(node, x, met.cluster);
+    share = balanced(point_kernel(x, n, y, polygon.plane.n) * polygon.area_m2 * weights.total /
+                     (chosen * weights.of[met.polygon]));
   }
-  const double mean = power / m2;
-  boost::container::small_vector<double, 64> facing;
-  double total = 0.0;
-  for (const BuildingLight::PolygonLight& polygon : polygons) {
-    const double weight = polygon.power + mean * polygon.area_m2;
-    facing.push_back(polygon.plane.signed_distance(x) > 0.0 ? weight * rough_kernel(x, n, polygon)
-                                                            : 0.0);
-    total += facing.back();
-  }
-  ShooterSample sample;
-  if (total <= 0.0) return sample;
-  pick *= total;
-  std::uint32_t k = 0;
-  while (k + 1 < facing.size() && pick >= facing[k]) pick -= facing[k++];
-  if (facing[k] <= 0.0) return sample;
-  const Polygon& polygon = occluders.polygon(first + k);
-  sample.y = uniform_point(polygon, random.uniform(), random.uniform());
-  sample.polygon = first + k;
-  const double factor = point_kernel(x, n, sample.y, polygons[k].plane.n) * polygons[k].area_m2 *
-                        total / (chosen * facing[k]);
-  sample.factor = std::min(1.0, factor);
-  sample.emitted = sample.factor * polygons[k].emitted / polygons[k].area_m2;
-  sample.reflected =
-      sample.factor * (polygons[k].power - polygons[k].emitted) / polygons[k].area_m2;
-  return sample;
+  return sample_at(y, hit.polygon, polygons[met.polygon], share);
 }
 
 /// Sums of the samples' irradiance: of all, and of the visible ones with their squares.
@@ -125,6 +165,17 @@ struct Sums {
   double all = 0.0, seen = 0.0, seen2 = 0.0, emitted = 0.0, factor = 0.0;
   int samples = 0, hidden = 0;
   TintSum tint{};
+  /// Returns the irradiance that arrives.
+  double add(const ShooterSample& sample, const Passage& passage) {
+    const double irradiance = sample.emitted + sample.reflected;
+    all += irradiance;
+    if (passage.share <= 0.0) return 0.0;
+    tint.add(irradiance, passage);
+    seen += passage.share * irradiance;
+    emitted += passage.share * sample.emitted;
+    factor += passage.share * sample.factor;
+    return passage.share * irradiance;
+  }
   double deviation_of_mean() const {
     const double mean = seen / samples;
     return std::sqrt(std::max(0.0, seen2 / samples - mean * mean) / std::max(1, samples - 1));
@@ -139,6 +190,9 @@ struct FarSampler {
   WorkCount& work;
   Random random;
   Sums sums{};
+  /// Where the node surrounds or touches the receiver, a point of it may lie so near that it stands
+  /// for more than all light: there a ray is drawn as well.
+  bool with_rays = gap_m(receiver.bounds, shooter.bounds) <= 0.0;
 
   /// Adds `count` samples, stratified over the receiver and over the node's clusters.
   void add(int count) {
@@ -146,25 +200,27 @@ struct FarSampler {
     for (int k = 0; k < count; ++k) {
       const int stratum = (k + shift) % count;
       const ReceiverPoint p = point_of(receiver, k, count, random);
-      const ShooterSample s =
-          sample_of(shooter, p.x, p.n, (stratum + random.uniform()) / count, occluders, random);
+      const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
       ++work.kernels;
       ++sums.samples;
-      if (s.factor <= 0.0) continue;
-      const double irradiance = s.emitted + s.reflected;
-      sums.all += irradiance;
-      ++work.rays;
-      const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
-      const Passage passage = occluders.passage(p.x, s.y, own, s.polygon);
-      if (passage.share <= 0.0) {
-        ++sums.hidden;
-        continue;
+      double seen = 0.0;
+      const ShooterSample s = point_of_node(shooter, p.x, p.n, (stratum + random.uniform()) / count,
+                                            with_rays, occluders, random);
+      if (s.factor > 0.0) {
+        ++work.rays;
+        const Passage passage = occluders.passage(p.x, s.y, own, s.polygon);
+        if (passage.share <= 0.0) ++sums.hidden;
+        seen += sums.add(s, passage);
       }
-      sums.tint.add(irradiance, passage);
-      sums.seen += passage.share * irradiance;
-      sums.seen2 += passage.share * irradiance * passage.share * irradiance;
-      sums.emitted += passage.share * s.emitted;
-      sums.factor += passage.share * s.factor;
+      if (with_rays) {
+        ++work.rays;
+        const Vec3 d =
+            cosine_direction(p.n, (stratum + random.uniform()) / count, random.uniform());
+        const ShooterSample end = end_of_ray(shooter, p.x, p.n, d, own, occluders);
+        if (end.factor > 0.0)
+          seen += sums.add(end, occluders.dimmed(p.x, d, glm::distance(p.x, end.y), own));
+      }
+      sums.seen2 += seen * seen;
     }
   }
 };
@@ -202,15 +258,14 @@ double facing_area(const LinkSide& receiver, const Vec3& toward) {
 
 }  // namespace
 
-/// The receiver's power is that of the samples; a group distributes it by the cosines to the node's
-/// middle, a patch evenly.
+/// The receiver's power is that of the samples; a patch distributes it evenly, a group by the
+/// cosines to the node's middle, or evenly where the node is around it.
 LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSide& shooter,
                                          double tolerance) {
   LinkEstimate out;
   out.sampled = true;
   const Vec3 d = shooter.center - receiver.center;
   const double distance = glm::length(d);
-  const Vec3 toward = distance > 0.0 ? d / distance : Vec3(0.0, 0.0, 1.0);
   FarSampler sampler{receiver, shooter, *occluders_, *work_,
                      Random(LinkSide::seed_of(receiver, shooter) + draw_)};
   const double bound = power_bound(receiver, shooter);
@@ -224,16 +279,25 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   const std::uint32_t node = shooter.id.group();
   const double mean = sums.seen / sums.samples, all = sums.all / sums.samples;
   const double light = std::max(shooter.light, least_light_share * building.most(node));
-  double deviation = sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * all;
-  if (sums.hidden > 0) deviation = std::max(deviation, unseen_samples * all / sums.samples);
+  // Portals let pass no more than this share of the unoccluded power.
+  const double passing =
+      all > 0.0 ? std::min(1.0, shooter.portal_power / (receiver.area_m2 * all)) : 1.0;
+  double deviation = sums.samples > 1 ? sums.deviation_of_mean()
+                                      : one_sample_deviation * std::sqrt(passing) * all;
+  if (sums.hidden > 0) {
+    const double unseen = unseen_samples * std::min(1.0, std::sqrt(passing * sums.samples));
+    deviation = std::max(deviation, unseen * all / sums.samples);
+  }
   if (sums.all <= 0.0) deviation = unseen_samples * bound / (receiver.area_m2 * sums.samples);
   out.tint = sums.tint.mean();
   if (light <= 0.0) return out;
   out.shooter_error = receiver.area_m2 * deviation / light;
   out.variation = far_variation * receiver.area_m2 * mean / light;
-  // A group receives in proportion to its polygons' cosines to the node's middle.
+  // A group receives in proportion to its polygons' cosines to the node's middle, and from a node
+  // around it from all sides.
   double scale = 1.0;
-  if (receiver.is_group()) {
+  if (receiver.is_group() && !sampler.with_rays) {
+    const Vec3 toward = d / distance;
     const double facing_m2 = facing_area(receiver, toward);
     if (facing_m2 <= 0.0) return out;
     scale = receiver.area_m2 / facing_m2;

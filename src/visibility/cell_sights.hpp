@@ -36,6 +36,7 @@ class CellSights {
     return {cells_of_.data() + first_[cluster.index()],
             cells_of_.data() + first_[cluster.index() + 1]};
   }
+  const DoorwayMap& doorways() const { return doorways_; }
   /// Returns the clusters that lie in more than one cell.
   std::span<const ClusterId> sticking_out() const { return sticking_out_; }
   /// Returns the cells that a cell sees, ascending; itself among them.

@@ -38,9 +38,10 @@ void join_measures(LeafGroup& to, const LeafGroup& from, std::uint32_t from_numb
 
 double LeafGroup::boundary() const {
   if (own_boundary >= 0.0) return own_boundary;
-  double sum = 0.0;
-  for (const auto& [side, area] : faces) sum += area;
-  return sum;
+  if (faces_m2 >= 0.0) return faces_m2;
+  faces_m2 = 0.0;
+  for (const auto& [side, area] : faces) faces_m2 += area;
+  return faces_m2;
 }
 
 double LeafGroup::open_to(std::uint32_t other) const {
@@ -127,7 +128,7 @@ void LeafGraph::join_contacts(std::uint32_t g, std::uint32_t h) {
   }
   to.contacts.erase(h);
   from.contacts.erase(g);
-  to.forget_largest_opening();  // a third group's openings stay as they are, to another group
+  to.forget_sums();  // a third group's openings stay as they are, to another group
   for (const auto& [other, sides] : from.contacts) {
     auto& there = groups_[other].contacts;
     for (const auto& [side, contact] : sides) {

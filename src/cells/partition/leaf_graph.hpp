@@ -37,9 +37,9 @@ struct LeafGroup {
   /// Returns the area of the largest opening in one side of one plane, to all neighbours together,
   /// m2.
   double largest_opening() const;
-  /// To be called where an opening of this group has changed.
-  void forget_largest_opening() { largest_opening_m2 = -1.0; }
-  mutable double largest_opening_m2 = -1.0;  ///< negative: to be found
+  /// To be called where a face or an opening of this group has changed.
+  void forget_sums() { largest_opening_m2 = faces_m2 = -1.0; }
+  mutable double largest_opening_m2 = -1.0, faces_m2 = -1.0;  ///< negative: to be found
 };
 
 /// The groups and their contacts. Group 0 is the outside; leaf i begins as group i + 1.

@@ -19,6 +19,19 @@ struct PlanBox {
     const double a = glm::dot(u, p), b = glm::dot(v, p);
     return a >= u0 && a <= u1 && b >= v0 && b <= v1;
   }
+  /// False where the region lies beyond one of the sides.
+  bool may_touch(const Region& region) const {
+    for (const Plane& side : sides()) {
+      const bool beyond = std::all_of(
+          region.facets.begin(), region.facets.end(), [&side](const Facet& facet) {
+            return std::all_of(facet.polygon.begin(), facet.polygon.end(), [&side](const Vec3& p) {
+              return side.signed_distance(p) > 0.0;
+            });
+          });
+      if (beyond) return false;
+    }
+    return true;
+  }
   /// The planes of the four sides; their fronts are outside the box.
   std::array<Plane, 4> sides() const {
     return {Plane{u, u1}, Plane{-u, -u0}, Plane{v, v1}, Plane{-v, -v0}};
@@ -151,7 +164,9 @@ class StairwellFinder {
     return false;
   }
 
-  static Region part_in(const PlanBox& box, Region region) {
+  static Region part_in(const PlanBox& box, const Region& leaf) {
+    if (!box.may_touch(leaf)) return {};
+    Region region = leaf;
     for (const Plane& side : box.sides()) {
       region = split_region(region, side, cross_section(region, side)).second;
     }
