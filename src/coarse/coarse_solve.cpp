@@ -22,9 +22,7 @@ bool all_finite(std::span<const double> numbers) {
 void CoarseSystem::require_finite() const {
   bool finite =
       all_finite(before_) && all_finite(after_) && all_finite(absorbed_) && all_finite(escaping_);
-  for (const std::vector<Coupling>& row : rows_) {
-    for (const Coupling& c : row) finite = finite && all_finite(c.fresh) && all_finite(c.stale);
-  }
+  for (const Row& row : rows_) finite = finite && all_finite(row.flows);
   if (!finite) {
     throw RunError(
         "coarse correction: the power that arrives at a cluster is not a finite number; solve "
@@ -51,11 +49,11 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
                                                         std::size_t band) const {
   std::vector<Column> columns(unknowns_);
   std::vector<double> fresh(unknowns_, 0.0), stale(unknowns_, 0.0);
-  for (const auto& row : rows_) {
-    for (const Coupling& c : row) {
+  for (const Row& row : rows_) {
+    for_each_of(row, [&](const Coupling& c) {
       fresh[c.column] += c.fresh[band];
       stale[c.column] += c.stale[band];
-    }
+    });
   }
   for (std::size_t j = 0; j < unknowns_; ++j) {
     const double before = before_[j * bands_ + band], after = after_[j * bands_ + band];
@@ -102,12 +100,12 @@ std::optional<std::vector<double>> CoarseSystem::solve_band(const CoarseUnknowns
   std::vector<double> missing(unknowns_, 0.0);
   for (std::uint32_t i = 0; i < unknowns_; ++i) {
     matrix.push_back({i, i, 1.0});
-    for (const Coupling& c : rows_[i]) {
+    for_each_of(rows_[i], [&](const Coupling& c) {
       const Column& from = columns[c.column];
       const double flow = from.fresh * c.fresh[band] + from.growth * from.stale * c.stale[band];
       if (power(c.column) > 0.0) matrix.push_back({i, c.column, -flow / power(c.column)});
       if (power(i) > 0.0) missing[i] += from.stale * (from.growth - 1.0) * c.stale[band];
-    }
+    });
   }
   if (std::all_of(missing.begin(), missing.end(), [](double m) { return m == 0.0; }))
     return missing;

@@ -16,15 +16,15 @@ CoarseSystem::CoarseSystem(std::size_t unknowns, std::size_t bands)
       escaping_(unknowns * bands, 0.0),
       rows_(unknowns) {}
 
-CoarseSystem::Coupling& CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
-  std::vector<Coupling>& couplings = rows_[row];
-  auto at = std::lower_bound(couplings.begin(), couplings.end(), column,
-                             [](const Coupling& c, std::uint32_t k) { return c.column < k; });
-  if (at == couplings.end() || at->column != column) {
-    const std::vector<double> none(bands_, 0.0);
-    at = couplings.insert(at, {column, none, none});
+std::span<double> CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
+  auto& [places, flows] = rows_[row];
+  places.resize(unknowns_, 0);
+  std::uint32_t& place = places[column];
+  if (place == 0) {
+    flows.resize(flows.size() + 2 * bands_, 0.0);
+    place = static_cast<std::uint32_t>(flows.size() / (2 * bands_));
   }
-  return *at;
+  return std::span(flows).subspan(2 * bands_ * (place - 1), 2 * bands_);
 }
 
 void CoarseSystem::add(ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns) {
@@ -38,8 +38,7 @@ void CoarseSystem::add(ClusterId receiver, const CoarseRow& row, const CoarseUnk
   for_each_coupling(
       receiver, row, unknowns,
       [&](std::uint32_t to, std::uint32_t from, std::span<const double> flow, bool stale) {
-        Coupling& c = coupling(to, from);
-        std::vector<double>& sum = stale ? c.stale : c.fresh;
+        const std::span<double> sum = coupling(to, from).subspan(stale ? bands_ : 0);
         for (std::size_t b = 0; b < bands_; ++b) sum[b] += flow[b];
       });
 }
@@ -54,13 +53,13 @@ void CoarseSystem::merge(const CoarseSystem& other) {
     escaping_[i] += other.escaping_[i];
   }
   for (std::size_t g = 0; g < unknowns_; ++g) {
-    for (const Coupling& c : other.rows_[g]) {
-      Coupling& to = coupling(g, c.column);
+    for_each_of(other.rows_[g], [&](const Coupling& c) {
+      const std::span<double> to = coupling(g, c.column);
       for (std::size_t b = 0; b < bands_; ++b) {
-        to.fresh[b] += c.fresh[b];
-        to.stale[b] += c.stale[b];
+        to[b] += c.fresh[b];
+        to[bands_ + b] += c.stale[b];
       }
-    }
+    });
   }
 }
 
@@ -88,13 +87,13 @@ std::vector<double> CoarseSystem::to_numbers() const {
   for (const std::vector<double>* power : {&before_, &after_, &absorbed_, &escaping_}) {
     numbers.insert(numbers.end(), power->begin(), power->end());
   }
-  for (const auto& row : rows_) {
-    numbers.push_back(static_cast<double>(row.size()));
-    for (const Coupling& c : row) {
+  for (const Row& row : rows_) {
+    numbers.push_back(static_cast<double>(row.flows.size() / (2 * bands_)));
+    for_each_of(row, [&numbers](const Coupling& c) {
       numbers.push_back(c.column);
       numbers.insert(numbers.end(), c.fresh.begin(), c.fresh.end());
       numbers.insert(numbers.end(), c.stale.begin(), c.stale.end());
-    }
+    });
   }
   return numbers;
 }
@@ -114,14 +113,14 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
     take(*power, system.unknowns_ * system.bands_);
   }
   std::vector<double> head;
-  for (auto& row : system.rows_) {
+  std::vector<double> flows;
+  for (std::size_t row = 0; row < system.unknowns_; ++row) {
     take(head, 1);
-    row.resize(static_cast<std::size_t>(head[0]));
-    for (Coupling& c : row) {
+    for (auto couplings = static_cast<std::size_t>(head[0]); couplings > 0; --couplings) {
       take(head, 1);
-      c.column = static_cast<std::uint32_t>(head[0]);
-      take(c.fresh, system.bands_);
-      take(c.stale, system.bands_);
+      take(flows, 2 * system.bands_);
+      std::copy(flows.begin(), flows.end(),
+                system.coupling(row, static_cast<std::uint32_t>(head[0])).begin());
     }
   }
   return system;

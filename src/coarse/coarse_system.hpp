@@ -53,11 +53,22 @@ class CoarseSystem {
   static CoarseSystem from_numbers(std::span<const double> numbers);
 
  private:
+  /// Power per band that flows from a column.
   struct Coupling {
     std::uint32_t column;
-    std::vector<double> fresh, stale;  // power per band that flows from the column
+    std::span<const double> fresh, stale;
   };
-  Coupling& coupling(std::size_t row, std::uint32_t column);
+  /// The couplings of one unknown, in flat arrays: there may be as many as unknowns, anew in each
+  /// iteration.
+  struct Row {
+    std::vector<std::uint32_t> place;  ///< by column, once there is any: in `flows`, from 1; 0 = none
+    std::vector<double> flows;         ///< of each coupling the fresh ones per band, then the stale
+  };
+  /// Returns the fresh flows of a coupling, which the stale ones follow.
+  std::span<double> coupling(std::size_t row, std::uint32_t column);
+  /// Calls take(Coupling) in ascending order of the columns.
+  template <class Take>
+  void for_each_of(const Row& row, Take take) const;
   /// What the flows from one shooting unknown are multiplied by.
   struct Column {
     double growth = 1.0;              ///< of its power, since its light was read stale
@@ -72,7 +83,16 @@ class CoarseSystem {
   std::size_t unknowns_, bands_;
   // Power, [unknown * bands + band].
   std::vector<double> before_, after_, absorbed_, escaping_;
-  std::vector<std::vector<Coupling>> rows_;  // by ascending column
+  std::vector<Row> rows_;
 };
+
+template <class Take>
+void CoarseSystem::for_each_of(const Row& row, Take take) const {
+  for (std::uint32_t column = 0; column < row.place.size(); ++column) {
+    if (row.place[column] == 0) continue;
+    const auto flows = std::span(row.flows).subspan(2 * bands_ * (row.place[column] - 1));
+    take(Coupling{column, flows.first(bands_), flows.subspan(bands_, bands_)});
+  }
+}
 
 }  // namespace enfilade

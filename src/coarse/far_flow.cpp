@@ -6,40 +6,35 @@
 
 namespace enfilade {
 
-FarUnknowns::Powers FarUnknowns::of_cluster(ClusterId cluster, std::uint32_t leaf) const {
-  const std::uint32_t aggregates = unknowns_.aggregates[cluster.index()];
-  Powers powers;
-  for (std::uint32_t z = 0; z < aggregates; ++z) {
-    std::vector<double>& power = powers[unknowns_.first[cluster.index()] + z];
-    for (std::size_t b = 0; b < bands(); ++b) {
-      power.push_back(light_.reflected_power(leaf, b) / aggregates);
-    }
-  }
-  return powers;
-}
-
-/// Sums the clusters below the node; nodes that shoot as one are small, or few.
+/// Sums the clusters below the node; nodes that shoot as one are small, or few. A cluster with
+/// several aggregates divides what it reflects evenly among them.
 FarUnknowns::Parts FarUnknowns::make(std::uint32_t node) const {
   const BuildingTree& tree = light_.tree();
   const BuildingTree::Node& n = tree.node(node);
-  Powers powers;
-  std::vector<double> all(bands(), 0.0);
+  const std::size_t width = bands();
+  Parts parts;
+  std::vector<double> all(width, 0.0);
+  sums_.resize(count() * width, 0.0);
   for (std::uint32_t i = n.begin; i < n.end; ++i) {
     const ClusterId cluster = tree.clusters()[i];
-    for (const auto& [unknown, power] : of_cluster(cluster, tree.leaf_of(cluster))) {
-      std::vector<double>& sum = powers[unknown];
-      sum.resize(bands(), 0.0);
-      for (std::size_t b = 0; b < bands(); ++b) {
-        sum[b] += power[b];
-        all[b] += power[b];
-      }
+    const std::uint32_t aggregates = unknowns_.aggregates[cluster.index()];
+    for (std::size_t b = 0; b < width; ++b) {
+      const double power = light_.reflected_power(tree.leaf_of(cluster), b);
+      all[b] += power;
+      for (std::uint32_t z = 0; z < aggregates; ++z)
+        sums_[(unknowns_.first[cluster.index()] + z) * width + b] += power / aggregates;
     }
+    for (std::uint32_t z = 0; z < aggregates; ++z)
+      parts.unknown.push_back(unknowns_.first[cluster.index()] + z);
   }
-  Parts parts;
-  for (const auto& [unknown, power] : powers) {
-    parts.unknown.push_back(unknown);
-    for (std::size_t b = 0; b < bands(); ++b) {
-      parts.share.push_back(all[b] > 0.0 ? power[b] / all[b] : 0.0);
+  std::sort(parts.unknown.begin(), parts.unknown.end());
+  parts.unknown.erase(std::unique(parts.unknown.begin(), parts.unknown.end()),
+                      parts.unknown.end());
+  for (const std::uint32_t unknown : parts.unknown) {
+    for (std::size_t b = 0; b < width; ++b) {
+      double& power = sums_[unknown * width + b];
+      parts.share.push_back(all[b] > 0.0 ? power / all[b] : 0.0);
+      power = 0.0;
     }
   }
   return parts;

@@ -2,7 +2,6 @@
 // the coarse system.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,13 +28,12 @@ class FarUnknowns {
   const Parts& of(std::uint32_t node) const;
 
  private:
-  using Powers = std::map<std::uint32_t, std::vector<double>>;  ///< by unknown: per band
-  Powers of_cluster(ClusterId cluster, std::uint32_t leaf) const;
   Parts make(std::uint32_t node) const;
 
   const BuildingLight& light_;
   const CoarseUnknowns& unknowns_;
   mutable std::vector<std::unique_ptr<Parts>> parts_;  ///< by node, once it is asked
+  mutable std::vector<double> sums_;  ///< scratch: [unknown * bands + band], zero between calls
 };
 
 /// Sums the links from far shooters to one receiving cluster.

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST7";
+constexpr std::string_view mark = "ENFCOST8";
 
 /// Where a file of costs belongs.
 struct CostPlace {
@@ -40,7 +40,7 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
   w.put(cost.patches);
   w.put(cost.links_changed);
   if (cost.links_changed) w.put(cost.links);
-  w.put_all(cost.coupled);
+  w.put_all(cost.coupled.words());
   w.put_all(cost.read);
 }
 
@@ -60,7 +60,7 @@ GatherCost get_cost(ByteReader& r) {
   cost.patches = r.get<SectionWeight>();
   cost.links_changed = get_flag(r);
   if (cost.links_changed) cost.links = r.get<SectionWeight>();
-  cost.coupled = r.get_all<std::uint32_t>();
+  cost.coupled = CoupledPlaces::of(r.get_all<std::uint64_t>());
   cost.read = r.get_all<ClusterId>();
   return cost;
 }

@@ -2,9 +2,11 @@
 // other clusters of computers without its kernels (schemes/replay).
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/building_field.hpp"
@@ -13,14 +15,41 @@
 
 namespace enfilade {
 
+/// Entries of one cluster's rows in the coarse system, as bits: in a large building hardly a place
+/// is empty.
+class CoupledPlaces {
+ public:
+  /// `place`: column + unknowns * aggregate of the receiver.
+  void add(std::uint32_t place) {
+    if (words_.size() <= place / 64) words_.resize(place / 64 + 1, 0);
+    words_[place / 64] |= std::uint64_t{1} << place % 64;
+  }
+  /// Calls take(place) in ascending order.
+  template <class Take>
+  void for_each(Take take) const {
+    for (std::uint32_t i = 0; i < words_.size(); ++i) {
+      for (std::uint64_t bits = words_[i]; bits != 0; bits &= bits - 1)
+        take(64 * i + static_cast<std::uint32_t>(std::countr_zero(bits)));
+    }
+  }
+  const std::vector<std::uint64_t>& words() const { return words_; }
+  static CoupledPlaces of(std::vector<std::uint64_t> words) {
+    CoupledPlaces places;
+    places.words_ = std::move(words);
+    return places;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
 /// One gather of one cluster: GathersParallel(C) and WriteOnLocalDirectory(C) of figure 2.
 struct GatherCost {
   ClusterId cluster;
   IterationFigures figures;      ///< of this gather, with its work
   SectionWeight patches, links;  ///< after the gather
   bool links_changed = false;    ///< only then were links written
-  std::vector<std::uint32_t>
-      coupled;  ///< in the coarse system, if any: column + unknowns * aggregate
+  CoupledPlaces coupled;         ///< in the coarse system, if any
   /// The clusters that the gather read, where it found them through the building's tree.
   std::vector<ClusterId> read;
 };

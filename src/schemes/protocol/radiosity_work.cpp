@@ -8,19 +8,15 @@
 namespace enfilade {
 namespace {
 
-/// The places at which a row of the coarse system has entries: column + count * aggregate of the
-/// receiver.
-std::vector<std::uint32_t> coupled(ClusterId receiver, const CoarseRow& row,
+CoupledPlaces coupled(ClusterId receiver, const CoarseRow& row,
                                    const CoarseUnknowns& unknowns) {
-  std::vector<std::uint32_t> places;
+  CoupledPlaces places;
   for_each_coupling(
       receiver, row, unknowns,
       [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
         const std::uint32_t aggregate = to - unknowns.first[receiver.index()];
-        places.push_back(from + aggregate * static_cast<std::uint32_t>(unknowns.count));
+        places.add(from + aggregate * static_cast<std::uint32_t>(unknowns.count));
       });
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 
@@ -103,7 +99,7 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
       },
       prepared_.scene.lights, occluders_, gather_config_);
   spend(machine_, result.figures.work);
-  std::vector<std::uint32_t> places;
+  CoupledPlaces places;
   if (config_.method.coarse_correction) {
     coarse_.add(receiver, result.coarse, unknowns_);
     places = coupled(receiver, result.coarse, unknowns_);

@@ -18,11 +18,11 @@ ReplayShared load(const std::string& recorded) {
   shared.unknowns = shared.recording.method.unknowns(shared.prepared.clusters);
   for (const auto& gathers : shared.recording.gathers) {
     for (const GatherCost& cost : gathers) {
-      for (const std::uint32_t place : cost.coupled) {
+      cost.coupled.for_each([&](std::uint32_t place) {
         if (place / shared.unknowns.count < shared.unknowns.aggregates[cost.cluster.index()])
-          continue;
+          return;
         throw InputError(recorded, "costs", "damaged", "solve it again, then replay it");
-      }
+      });
     }
   }
   shared.emitted = emitted_power(shared.prepared.scene, shared.prepared.clusters);

@@ -50,9 +50,9 @@ IterationFigures ReplayWork::gather(ClusterId receiver) {
   if (shared_->recording.method.coarse_correction) {
     const CoarseUnknowns& unknowns = shared_->unknowns;
     const auto count = static_cast<std::uint32_t>(unknowns.count);
-    for (const std::uint32_t place : cost.coupled) {
+    cost.coupled.for_each([&](std::uint32_t place) {
       coarse_.couple(unknowns.first[receiver.index()] + place / count, place % count);
-    }
+    });
   }
   resident_.write_receiver(receiver, cost.links_changed);
   resident_.unpin();
