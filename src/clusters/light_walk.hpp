@@ -18,8 +18,8 @@ class LightWalk {
   /// Each step of a walk starts `offset_m` in front of a polygon and tests two lights or emitting
   /// pieces by shadow rays: the one that was found last from a piece of the same cell, and one
   /// drawn at random, half the time among those nearest to the cell: in a large building hardly any
-  /// other is in view. A walk ends without light after `max_bounces` steps; a step from a piece that
-  /// is marked dark counts for eight, since hollows have many pieces.
+  /// other is in view. A walk ends without light after `max_bounces` steps; a step from a piece
+  /// that is marked dark counts for eight, since hollows have many pieces.
   LightWalk(const Scene& scene, std::span<const CellPiece> pieces, double offset_m,
             int max_bounces);
 

@@ -61,8 +61,9 @@ class CoarseSystem {
   /// The couplings of one unknown, in flat arrays: there may be as many as unknowns, anew in each
   /// iteration.
   struct Row {
-    std::vector<std::uint32_t> place;  ///< by column, once there is any: in `flows`, from 1; 0 = none
-    std::vector<double> flows;         ///< of each coupling the fresh ones per band, then the stale
+    std::vector<std::uint32_t>
+        place;                  ///< by column, once there is any: in `flows`, from 1; 0 = none
+    std::vector<double> flows;  ///< of each coupling the fresh ones per band, then the stale
   };
   /// Returns the fresh flows of a coupling, which the stale ones follow.
   std::span<double> coupling(std::size_t row, std::uint32_t column);

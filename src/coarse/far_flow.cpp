@@ -28,8 +28,7 @@ FarUnknowns::Parts FarUnknowns::make(std::uint32_t node) const {
       parts.unknown.push_back(unknowns_.first[cluster.index()] + z);
   }
   std::sort(parts.unknown.begin(), parts.unknown.end());
-  parts.unknown.erase(std::unique(parts.unknown.begin(), parts.unknown.end()),
-                      parts.unknown.end());
+  parts.unknown.erase(std::unique(parts.unknown.begin(), parts.unknown.end()), parts.unknown.end());
   for (const std::uint32_t unknown : parts.unknown) {
     for (std::size_t b = 0; b < width; ++b) {
       double& power = sums_[unknown * width + b];

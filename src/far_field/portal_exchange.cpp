@@ -84,7 +84,9 @@ void PortalExchange::add_entry(const Doorway& doorway, std::uint32_t place,
 
 bool PortalExchange::shares_cell(std::span<const CellId> own,
                                  const BuildingTree::Node& node) const {
-  const auto within = [&node](std::uint32_t p) { return node.first_cell <= p && p < node.end_cell; };
+  const auto within = [&node](std::uint32_t p) {
+    return node.first_cell <= p && p < node.end_cell;
+  };
   return std::any_of(own.begin(), own.end(), [&](CellId cell) {
     if (within(tree_.place_of(cell))) return true;
     const auto reach = reach_into_.find(cell);
@@ -113,8 +115,7 @@ double PortalExchange::bound_m2(std::span<const CellId> own, const Box& box, dou
                                 std::uint32_t node) const {
   if (shares_cell(own, tree_.node(node))) return infinite;
   const Entries& entries = entries_of(node);
-  const double most =
-      std::min(entries.m2, m2 * factor_bound(entries.m2, gap_m(box, entries.box)));
+  const double most = std::min(entries.m2, m2 * factor_bound(entries.m2, gap_m(box, entries.box)));
   double sum = 0.0;
   for (const CellId cell : own) {
     const std::span<const Doorway> doorways = doorways_.of(cell);

@@ -46,7 +46,8 @@ class PortalExchange {
   const DoorwayMap& doorways_;
   std::vector<Entries> of_node_;   ///< of nodes of several cells
   std::vector<Entries> of_place_;  ///< of cells, by their place in the tree
-  std::vector<std::vector<const Doorway*>> doorways_of_place_;  ///< which those are, facing outwards
+  std::vector<std::vector<const Doorway*>>
+      doorways_of_place_;  ///< which those are, facing outwards
   /// By cell, the places of clusters that have polygons there and lie in another cell.
   std::map<CellId, std::vector<std::uint32_t>> reach_into_;
 };

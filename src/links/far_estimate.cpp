@@ -7,10 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/container/small_vector.hpp>
-
 #include "geometry/form_factor.hpp"
 #include "geometry/sampling.hpp"
+#include "links/far_samples/far_sample.hpp"
 #include "links/link_estimate.hpp"
 
 namespace enfilade {
@@ -61,112 +60,13 @@ ReceiverPoint point_of(const LinkSide& receiver, int k, int strata, Random& rand
   return {forest.frames()[polygon].at(p), forest.frames()[polygon].n, polygon};
 }
 
-/// A point of a shooter with the irradiance that it stands for at a receiver's point.
-struct ShooterSample {
-  Vec3 y{0.0};
-  std::uint32_t polygon = 0;  ///< global number
-  // As if nothing stood between: the form factor, and the irradiance by what is emitted and by what
-  // is reflected, worst band.
-  double factor = 0.0, emitted = 0.0, reflected = 0.0;
-};
-
-/// About the kernel from a polygon to x; never zero, since a part of it may matter.
-double rough_kernel(const Vec3& x, const Vec3& n, const BuildingLight::PolygonLight& polygon) {
-  constexpr double least_cosine = 0.05;
-  const Vec3 d = polygon.center - x;
-  const double r2 = std::max(glm::dot(d, d), 1e-12), r = std::sqrt(r2);
-  const double received = std::max(least_cosine, glm::dot(n, d) / r);
-  const double sent = std::max(least_cosine, -glm::dot(polygon.plane.n, d) / r);
-  return received * sent / (r2 + 0.25 * polygon.area_m2);
-}
-
-/// The polygons of a cluster by what each is about to send to a point.
-struct PolygonWeights {
-  boost::container::small_vector<double, 64> of;
-  double total = 0.0;
-
-  PolygonWeights(std::span<const BuildingLight::PolygonLight> polygons, const Vec3& x,
-                 const Vec3& n) {
-    double power = 0.0, m2 = 0.0;
-    for (const BuildingLight::PolygonLight& polygon : polygons) {
-      power += polygon.power;
-      m2 += polygon.area_m2;
-    }
-    const double mean = power / m2;
-    for (const BuildingLight::PolygonLight& polygon : polygons) {
-      const double weight = polygon.power + mean * polygon.area_m2;
-      of.push_back(polygon.plane.signed_distance(x) > 0.0 ? weight * rough_kernel(x, n, polygon)
-                                                          : 0.0);
-      total += of.back();
-    }
-  }
-  /// Returns a polygon's number; `pick` is uniform in [0, 1), and total is above 0.
-  std::uint32_t draw(double pick) const {
-    pick *= total;
-    std::uint32_t k = 0;
-    while (k + 1 < of.size() && pick >= of[k]) pick -= of[k++];
-    return k;
-  }
-};
-
-/// What a point of a polygon sends, which stands for this form factor.
-ShooterSample sample_at(const Vec3& y, std::uint32_t global,
-                        const BuildingLight::PolygonLight& polygon, double factor) {
-  return {y, global, factor, factor * polygon.emitted / polygon.area_m2,
-          factor * (polygon.power - polygon.emitted) / polygon.area_m2};
-}
-
-/// Shares the light between two ways to sample it (the balance heuristic: Veach and Guibas 1995): a
-/// point of the node that is drawn by its light stands for this form factor, the end of a ray that
-/// is drawn by its cosine for 1.
-double balanced(double factor) { return factor / (1.0 + factor); }
-
-/// A cluster by its share of the light and of the area that the node turns to x, a polygon by its
-/// share of the cluster's, then a point on it, uniformly.
-ShooterSample point_of_node(const LinkSide& shooter, const Vec3& x, const Vec3& n, double pick,
-                            bool with_rays, const Occluders& occluders, Random& random) {
-  double chosen = 1.0;
-  const ClusterId cluster = shooter.far->pick_cluster(shooter.id.group(), x, pick, chosen);
-  const auto polygons = shooter.far->light().polygons(cluster);
-  const PolygonWeights weights(polygons, x, n);
-  if (weights.total <= 0.0) return {};
-  const std::uint32_t k = weights.draw(pick);
-  if (weights.of[k] <= 0.0) return {};
-  const std::uint32_t global = occluders.global(cluster, k);
-  const Vec3 y = uniform_point(occluders.polygon(global), random.uniform(), random.uniform());
-  const double factor = point_kernel(x, n, y, polygons[k].plane.n) * polygons[k].area_m2 *
-                        weights.total / (chosen * weights.of[k]);
-  return sample_at(y, global, polygons[k], with_rays ? balanced(factor) : std::min(1.0, factor));
-}
-
-/// What a ray from x meets, if it is a front side of the node.
-ShooterSample end_of_ray(const LinkSide& shooter, const Vec3& x, const Vec3& n, const Vec3& d,
-                         std::uint32_t own, const Occluders& occluders) {
-  const RayHit hit = occluders.rays().closest(x, d, own);
-  if (!hit.any() || !hit.front) return {};
-  const PolygonRef met = occluders.local(hit.polygon);
-  const std::uint32_t node = shooter.id.group();
-  if (!shooter.far->contains(node, met.cluster)) return {};
-  const auto polygons = shooter.far->light().polygons(met.cluster);
-  const PolygonWeights weights(polygons, x, n);
-  const Vec3 y = x + hit.distance_m * d;
-  double share = 1.0;  // where it cannot be drawn the other way
-  if (weights.total > 0.0 && weights.of[met.polygon] > 0.0) {
-    const BuildingLight::PolygonLight& polygon = polygons[met.polygon];
-    const double chosen = shooter.far->probability_of(node, x, met.cluster);
-    share = balanced(point_kernel(x, n, y, polygon.plane.n) * polygon.area_m2 * weights.total /
-                     (chosen * weights.of[met.polygon]));
-  }
-  return sample_at(y, hit.polygon, polygons[met.polygon], share);
-}
-
 /// Sums of the samples' irradiance: of all, and of the visible ones with their squares.
 struct Sums {
   double all = 0.0, seen = 0.0, seen2 = 0.0, emitted = 0.0, factor = 0.0;
   int samples = 0, hidden = 0;
   TintSum tint{};
   /// Returns the irradiance that arrives.
-  double add(const ShooterSample& sample, const Passage& passage) {
+  double add(const FarSample& sample, const Passage& passage) {
     const double irradiance = sample.emitted + sample.reflected;
     all += irradiance;
     if (passage.share <= 0.0) return 0.0;
@@ -204,8 +104,9 @@ struct FarSampler {
       ++work.kernels;
       ++sums.samples;
       double seen = 0.0;
-      const ShooterSample s = point_of_node(shooter, p.x, p.n, (stratum + random.uniform()) / count,
-                                            with_rays, occluders, random);
+      const FarSample s =
+          point_of_node(*shooter.far, shooter.id.group(), p.x, p.n,
+                        (stratum + random.uniform()) / count, with_rays, occluders, random);
       if (s.factor > 0.0) {
         ++work.rays;
         const Passage passage = occluders.passage(p.x, s.y, own, s.polygon);
@@ -216,7 +117,8 @@ struct FarSampler {
         ++work.rays;
         const Vec3 d =
             cosine_direction(p.n, (stratum + random.uniform()) / count, random.uniform());
-        const ShooterSample end = end_of_ray(shooter, p.x, p.n, d, own, occluders);
+        const FarSample end =
+            end_of_ray(*shooter.far, shooter.id.group(), p.x, p.n, d, own, occluders);
         if (end.factor > 0.0)
           seen += sums.add(end, occluders.dimmed(p.x, d, glm::distance(p.x, end.y), own));
       }
@@ -282,8 +184,8 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   // Portals let pass no more than this share of the unoccluded power.
   const double passing =
       all > 0.0 ? std::min(1.0, shooter.portal_power / (receiver.area_m2 * all)) : 1.0;
-  double deviation = sums.samples > 1 ? sums.deviation_of_mean()
-                                      : one_sample_deviation * std::sqrt(passing) * all;
+  double deviation =
+      sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * std::sqrt(passing) * all;
   if (sums.hidden > 0) {
     const double unseen = unseen_samples * std::min(1.0, std::sqrt(passing * sums.samples));
     deviation = std::max(deviation, unseen * all / sums.samples);

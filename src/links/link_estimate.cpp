@@ -62,9 +62,8 @@ double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shoo
   // A far node that sends nothing to the receiver's middle may light its ends.
   if (shooter.is_far()) {
     const double all = shooter.far->light().radiosity(shooter.id.group(), Vec3(0.0));
-    return std::min(
-        shooter.portal_power,
-        std::max(shooter.light, turned_away_share * all) * factor_bound(receiver, shooter));
+    return std::min(shooter.portal_power, std::max(shooter.light, turned_away_share * all) *
+                                              factor_bound(receiver, shooter));
   }
   return shooter.light > 0.0 ? shooter.light * factor_bound(receiver, shooter) : 0.0;
 }

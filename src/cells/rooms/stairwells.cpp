@@ -22,11 +22,10 @@ struct PlanBox {
   /// False where the region lies beyond one of the sides.
   bool may_touch(const Region& region) const {
     for (const Plane& side : sides()) {
-      const bool beyond = std::all_of(
-          region.facets.begin(), region.facets.end(), [&side](const Facet& facet) {
-            return std::all_of(facet.polygon.begin(), facet.polygon.end(), [&side](const Vec3& p) {
-              return side.signed_distance(p) > 0.0;
-            });
+      const bool beyond =
+          std::all_of(region.facets.begin(), region.facets.end(), [&side](const Facet& facet) {
+            return std::all_of(facet.polygon.begin(), facet.polygon.end(),
+                               [&side](const Vec3& p) { return side.signed_distance(p) > 0.0; });
           });
       if (beyond) return false;
     }

@@ -8,15 +8,13 @@
 namespace enfilade {
 namespace {
 
-CoupledPlaces coupled(ClusterId receiver, const CoarseRow& row,
-                                   const CoarseUnknowns& unknowns) {
+CoupledPlaces coupled(ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns) {
   CoupledPlaces places;
-  for_each_coupling(
-      receiver, row, unknowns,
-      [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
-        const std::uint32_t aggregate = to - unknowns.first[receiver.index()];
-        places.add(from + aggregate * static_cast<std::uint32_t>(unknowns.count));
-      });
+  for_each_coupling(receiver, row, unknowns,
+                    [&](std::uint32_t to, std::uint32_t from, std::span<const double>, bool) {
+                      const std::uint32_t aggregate = to - unknowns.first[receiver.index()];
+                      places.add(from + aggregate * static_cast<std::uint32_t>(unknowns.count));
+                    });
   return places;
 }
 

@@ -15,7 +15,8 @@ namespace {
 std::unique_ptr<Order> order_of(const SchemeParts& p) {
   const bool reads_once = p.communicator.size() == 1 && p.cost.unlimited_memory();
   const bool tour = p.config.order == TourOrder::travelling_salesman;
-  return make_order(reads_once && tour ? TourOrder::input : p.config.order, p.config.seed, p.prepared.graph, emitted_powers(p.prepared));
+  return make_order(reads_once && tour ? TourOrder::input : p.config.order, p.config.seed,
+                    p.prepared.graph, emitted_powers(p.prepared));
 }
 
 std::unique_ptr<ParallelScheme> spmd(const SchemeParts& p) {

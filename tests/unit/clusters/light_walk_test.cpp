@@ -53,5 +53,28 @@ TEST(LightWalk, FindsLightAsOftenAsItIsThere) {
   }
 }
 
+/// A lamp in view of the point, and a thousand out of view: among all, one draw in a thousand would
+/// be the lamp; among the nearest sixteen, one in thirty-two is.
+TEST(LightWalk, FindsTheLampInViewAmongAThousand) {
+  LampAndBoard with;
+  for (int i = 0; i < 1000; ++i) {
+    Surface surface = with.scene.surfaces[0];
+    for (Vec3& p : surface.vertices) p.x -= 100.0 + i, p.z -= 5.0;  // face down, below
+    CellPiece piece = with.pieces[0];
+    piece.piece.surface = SurfaceId(with.scene.surfaces.size());
+    piece.piece.polygon = surface.vertices;
+    with.pieces.push_back(piece);
+    with.scene.surfaces.push_back(surface);
+  }
+  Random random(1);
+  testing::Samples steps;
+  for (int i = 0; i < 100; ++i) {
+    LightWalk walk(with.scene, with.pieces, 1e-6, 1);
+    EXPECT_TRUE(walk.finds_light(0, {-5.0, 0.4, 0.0}, {0, 0, 1}, 4000, random));
+    steps.add(static_cast<double>(walk.steps()));
+  }
+  EXPECT_LT(steps.mean(), 60.0);
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -45,6 +45,17 @@ TEST(BuildingLight, TheRootSendsWhatItsPolygonsSend) {
   EXPECT_EQ(all.light.reflected(root, 0, up), 0.0);
 }
 
+TEST(BuildingLight, ACellIsAsBrightAsItsBrightestFace) {
+  const Light all;
+  EXPECT_NEAR(all.light.brightest(BuildingTree::root), sent_down / 4.0, 1e-9);
+  EXPECT_NEAR(all.light.brightest(all.tree.leaf_of(ClusterId(2u))), 0.5, 1e-9);
+  Panels two_cells{mixed_panels()};
+  two_cells.clusters[10].cell = CellId(1u);  // 1 m2, faces down, emits 30
+  const BuildingTree tree(two_cells.clusters);
+  const BuildingLight light(tree, two_cells.scene, two_cells.clusters);
+  EXPECT_NEAR(light.brightest(BuildingTree::root), 30.0, 1e-9);
+}
+
 TEST(BuildingLight, SetAndSumReachTheRoot) {
   Light all;
   const ClusterId first(0u);  // faces up, 1 m2, emits 1

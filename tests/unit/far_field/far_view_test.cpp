@@ -6,9 +6,8 @@
 #include <map>
 
 #include "base/random.hpp"
-#include "cells/rooms/build_cells.hpp"
 #include "geometry/sampling.hpp"
-#include "unit/cells/rooms/plan_scenes.hpp"
+#include "unit/far_field/building.hpp"
 #include "unit/far_field/panels.hpp"
 
 namespace enfilade {
@@ -32,20 +31,7 @@ TEST(FoldDirection, ComesBackUnfolded) {
   }
 }
 
-struct Building {
-  CellComplex complex;
-  std::vector<Cluster> clusters;
-  Scene scene;
-
-  explicit Building(const plan::Plan& plan) : scene(plan.scene()) {
-    complex = build_cells(plan.pieces(), {});
-    std::vector<CellPiece> parts;
-    for (const Piece& piece : plan.pieces()) {
-      for (CellPiece& part : complex.cut(piece)) parts.push_back(std::move(part));
-    }
-    clusters = build_clusters(scene, parts, {});
-  }
-};
+using testing::Building;
 
 /// Stratified picks draw each cluster as often as its probability says, and the probabilities of
 /// all clusters that can be drawn sum to 1; what is left of a pick is uniform again.
@@ -71,6 +57,7 @@ TEST(FarView, ProbabilitiesOfPicksSumToOne) {
       left += pick;
       const auto [known, added] = probabilities.emplace(cluster, probability);
       EXPECT_NEAR(known->second, probability, 1e-12);
+      EXPECT_NEAR(view.probability_of(BuildingTree::root, x, cluster), probability, 1e-12);
       ++drawn[cluster];
     }
     EXPECT_EQ(probabilities.size(), panels.clusters.size());

@@ -66,7 +66,7 @@ struct FarPair {
   }
   explicit FarPair(const std::vector<Panel>& between)
       : panels(panels_with(between)),
-        complex(build_cells(plan::one_room().pieces(), {})),
+        complex(build_cells(plan::two_rooms().pieces(), {})),
         tree(panels.clusters),
         light(tree, panels.scene, panels.clusters),
         sights(complex, panels.clusters),
@@ -192,7 +192,7 @@ TEST(FarEstimate, AGroupReceivesThePowerOfTheClosedForm) {
     begin(1);
     add({0.5 * i, 0.5, 8}, {0, 1, 0}, {0.4, 0, 0}, 1.0 + i);
   }
-  const CellComplex complex = build_cells(plan::one_room().pieces(), {});
+  const CellComplex complex = build_cells(plan::two_rooms().pieces(), {});
   const BuildingTree tree(clusters);
   const BuildingLight light(tree, scene, clusters);
   const CellSights sights(complex, clusters);
@@ -229,6 +229,49 @@ TEST(FarEstimate, AGroupReceivesThePowerOfTheClosedForm) {
     }
   }
   EXPECT_NEAR(estimated, exact, 0.03 * exact);
+}
+
+/// A cube in the middle of a room whose faces all emit 1: whichever way its faces turn, 1 arrives.
+TEST(FarEstimate, AGroupInANodeReceivesFromAllSides) {
+  plan::Plan plan = plan::one_room();
+  plan.box({2.4, 1.9, 1.1}, {2.6, 2.1, 1.3}, false);
+  Scene scene = plan.scene();
+  scene.bands = 1;
+  std::vector<Cluster> clusters(7);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    Cluster& cluster = clusters[i < 6 ? i : 6];
+    scene.surfaces[i].exitance = {i < 6 ? 1.0 : 0.0};
+    cluster.polygons.push_back({SurfaceId(i), scene.surfaces[i].vertices});
+    cluster.area_m2 += area_m2(scene.surfaces[i].vertices);
+    cluster.bounds.add(bounds(scene.surfaces[i].vertices));
+  }
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    clusters[i].id = ClusterId(i);
+    clusters[i].cell = CellId(0u);
+  }
+  const CellComplex complex = build_cells(plan::one_room().pieces(), {});
+  const BuildingTree tree(clusters);
+  const BuildingLight light(tree, scene, clusters);
+  const CellSights sights(complex, clusters);
+  const FarField field(tree, light, sights);
+  const FarView view(field, ClusterId(6u));
+  const Occluders occluders(clusters);
+  const ClusterState receiver(clusters[6], scene, Basis::constant);
+  const PatchForest& patches = receiver.patches();
+  WorkCount work;
+  LinkEstimator estimator(occluders, VisibilityMethod::exact, work);
+  Link link;
+  link.receiver = patches.root();
+  ASSERT_TRUE(link.receiver.is_group());
+  const LinkSide side = LinkSide::of(patches, receiver.id(), link.receiver);
+  const LinkSide far = LinkSide::of(view, BuildingTree::root, side);
+  const LinkEstimate estimate = estimator.evaluate(side, far, by_many_samples, nullptr);
+  std::vector<double> received(patches.polygons(), 0.0);
+  for_each_facing(patches, link, estimate.transport, [&](std::uint32_t k, double cosine) {
+    received[k] += cosine * estimate.transport[FarTerms::of(true).emitted] *
+                   light.emitted(BuildingTree::root, 0);
+  });
+  for (const double irradiance : received) EXPECT_NEAR(irradiance, 1.0, 0.15);
 }
 
 TEST(FarEstimate, SamplesAreAsManyAsThePowerIsWorth) {
