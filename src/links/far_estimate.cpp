@@ -89,6 +89,8 @@ struct FarSampler {
   const Occluders& occluders;
   WorkCount& work;
   Random random;
+  Random
+      ray_random;  ///< of the receiver alone: each of its rays ends in one of the nodes around it
   Sums sums{};
   /// Where the node surrounds or touches the receiver, a point of it may lie so near that it stands
   /// for more than all light: there a ray is drawn as well.
@@ -113,17 +115,20 @@ struct FarSampler {
         if (passage.share <= 0.0) ++sums.hidden;
         seen += sums.add(s, passage);
       }
-      if (with_rays) {
-        ++work.rays;
-        const Vec3 d =
-            cosine_direction(p.n, (stratum + random.uniform()) / count, random.uniform());
-        const FarSample end =
-            end_of_ray(*shooter.far, shooter.id.group(), p.x, p.n, d, own, occluders);
-        if (end.factor > 0.0)
-          seen += sums.add(end, occluders.dimmed(p.x, d, glm::distance(p.x, end.y), own));
-      }
+      if (with_rays) seen += add_ray(k, count);
       sums.seen2 += seen * seen;
     }
+  }
+  /// Returns the irradiance that ray k of `count` brings.
+  double add_ray(int k, int count) {
+    const ReceiverPoint p = point_of(receiver, k, count, ray_random);
+    const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
+    const double turn = ray_random.uniform();
+    const Vec3 d = cosine_direction(p.n, (k + ray_random.uniform()) / count, turn);
+    ++work.rays;
+    const FarSample end = end_of_ray(*shooter.far, shooter.id.group(), p.x, p.n, d, own, occluders);
+    if (end.factor <= 0.0) return 0.0;
+    return sums.add(end, occluders.dimmed(p.x, d, glm::distance(p.x, end.y), own));
   }
 };
 
@@ -168,8 +173,12 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   out.sampled = true;
   const Vec3 d = shooter.center - receiver.center;
   const double distance = glm::length(d);
-  FarSampler sampler{receiver, shooter, *occluders_, *work_,
-                     Random(LinkSide::seed_of(receiver, shooter) + draw_)};
+  FarSampler sampler{receiver,
+                     shooter,
+                     *occluders_,
+                     *work_,
+                     Random(LinkSide::seed_of(receiver, shooter) + draw_),
+                     Random(LinkSide::seed_of(receiver, receiver) + draw_)};
   const double bound = power_bound(receiver, shooter);
   const Sums& sums = sampler.sums;
   // By the bound alone: a number of samples that followed from samples would bias their mean.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,10 +29,6 @@ class VisibilityCost {
   /// Returns the bytes that `receiver` needs when nothing is in memory.
   std::uint64_t needed(ClusterId receiver) const { return needed_[receiver.index()]; }
   const ClusterGraph& graph() const { return *graph_; }
-  /// True where memory has no limit: what has been read stays.
-  bool unlimited_memory() const {
-    return memory_bytes_ == std::numeric_limits<std::uint64_t>::max();
-  }
 
  private:
   /// 64 clusters with neighbouring ids, as bits: a room's clusters are a few words.

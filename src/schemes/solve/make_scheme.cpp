@@ -10,13 +10,8 @@
 namespace enfilade {
 namespace {
 
-/// A single rank that keeps every cluster in memory reads each of them once in whichever order: no
-/// tour is cheaper than the given one.
 std::unique_ptr<Order> order_of(const SchemeParts& p) {
-  const bool reads_once = p.communicator.size() == 1 && p.cost.unlimited_memory();
-  const bool tour = p.config.order == TourOrder::travelling_salesman;
-  return make_order(reads_once && tour ? TourOrder::input : p.config.order, p.config.seed,
-                    p.prepared.graph, emitted_powers(p.prepared));
+  return make_order(p.config.order, p.config.seed, p.prepared.graph, emitted_powers(p.prepared));
 }
 
 std::unique_ptr<ParallelScheme> spmd(const SchemeParts& p) {
