@@ -2,8 +2,8 @@
 """floors.py ENFILADE -o FILE.csv --chart FILE.png: how the time and memory of 'prepare', or of a whole solve, grow with a building.
 
 Makes the building of the preset with more and more storeys, prepares it (with --solve, solves it on one core, without
-pictures), and fits time and memory to powers of the surfaces. Seconds are of user time; memory is the largest resident set. Through open windows, wings that face each other
-see each other over all storeys, so that the visible pairs themselves grow faster than the building; where windows are
+pictures), and fits time and memory to powers of the surfaces. Seconds are of user time, for a solve of user and system
+time; memory is the largest resident set. Through open windows, wings that face each other see each other over all storeys, so that the visible pairs themselves grow faster than the building; where windows are
 closed, outer walls and stairwells alone do."""
 import argparse
 import csv
@@ -26,14 +26,14 @@ def main():
     parser.add_argument("--windows", choices=["open", "closed", "none"], default="open",
                         help="of the building; where they are closed, rooms see no other wing (open)")
     parser.add_argument("--solve", type=float, metavar="ERROR",
-                        help="solve the buildings with this target error (0.1), CPU seconds being user and system time")
+                        help="solve the buildings with this target error, such as 0.1")
     parser.add_argument("-o", "--output", type=Path, required=True)
     parser.add_argument("--chart", type=Path)
     options = parser.parse_args()
     rows = []
     with tempfile.TemporaryDirectory() as work:
         for floors in options.floors:
-            rows.append((measure_solve if options.solve else measure)(options, Path(work), floors))
+            rows.append((measure_solve if options.solve is not None else measure)(options, Path(work), floors))
             print(rows[-1], flush=True)
     with options.output.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0])
@@ -48,7 +48,7 @@ def main():
 
 def columns(options):
     """What is fitted, with its label."""
-    if options.solve:
+    if options.solve is not None:
         return {"links": "links", "cpu_s": "CPU seconds", "memory_mib": "MiB"}
     return {"pairs": "visible pairs", "user_s": "user seconds", "memory_mib": "MiB"}
 
@@ -111,7 +111,7 @@ def draw(rows, options):
         axes.loglog(surfaces, [row[column] for row in rows], "o-",
                     label=f"{label}: surfaces to the power of {exponent(rows, column):.2f}")
     axes.set_xlabel("surfaces")
-    axes.set_title(f"{'solve' if options.solve else 'prepare'} of {options.preset} by storeys, windows {options.windows}")
+    axes.set_title(f"{'solve' if options.solve is not None else 'prepare'} of {options.preset} by storeys, windows {options.windows}")
     axes.grid(True, which="both", alpha=0.3)
     axes.legend()
     figure.tight_layout()

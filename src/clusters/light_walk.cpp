@@ -93,7 +93,7 @@ Vec3 LightWalk::place_of(std::size_t source) const {
   return pieces_[emitters_[source - lights_.size()]].piece.polygon.front();
 }
 
-/// Of all sources, or of those nearest to a point of the cell. There is one.
+/// Of all sources (there is at least one), or of those nearest to a point of the cell.
 std::size_t LightWalk::draw_source(CellId cell, const Vec3& p, Random& random) {
   const std::size_t count = lights_.size() + emitters_.size();
   if (count <= near_sources || random.below(2) == 0) return random.below(count);

@@ -14,8 +14,8 @@ AggregateFlow::AggregateFlow(const PatchForest& receiver, const Aggregates& rece
   if (shooting.size() > 1) reflected_ = shooting.reflected_power(shooter);
 }
 
-/// The irradiance of a group link goes to the group's polygons by cosine and area; the power that
-/// reaches a patch goes to the aggregates in it by area.
+/// The irradiance of a group link goes to the group's polygons by cosine (if it has a direction)
+/// and area; the power that reaches a patch goes to the aggregates in it by area.
 std::vector<double> received_shares(const PatchForest& receiver, const Aggregates& receiving,
                                     const Link& link, std::span<const float> transport) {
   std::vector<double> received(receiving.size(), 0.0);

@@ -62,7 +62,7 @@ class CoarseSystem {
   /// iteration.
   struct Row {
     std::vector<std::uint32_t>
-        place;                  ///< by column, once there is any: in `flows`, from 1; 0 = none
+        place;  ///< by column, once there is any: of the coupling in `flows`, from 1; 0 = none
     std::vector<double> flows;  ///< of each coupling the fresh ones per band, then the stale
   };
   /// Returns the fresh flows of a coupling, which the stale ones follow.

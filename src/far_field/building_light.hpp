@@ -48,9 +48,9 @@ class BuildingLight {
   /// Returns what the node sends to direction w: its radiosity times the area that faces w, worst
   /// band.
   double intensity(std::uint32_t node, const Vec3& w) const;
-  /// Returns the radiosity, worst band, that no cell of the node exceeds as the mean of its
-  /// polygons that face one of the six directions; of the node's own polygons where it lies in one
-  /// cell.
+  /// Returns the largest mean radiosity (worst band), over the node's cells and the six directions,
+  /// of the polygons that face the direction; where the node is a part of one cell, over its own
+  /// polygons.
   double brightest(std::uint32_t node) const { return brightest_[node]; }
   /// Returns the power that the node sends, all directions together, worst band.
   double power(std::uint32_t node) const;

@@ -62,12 +62,10 @@ class FarView {
     if (!sight_) sight_ = field_.sight_of(receiver_);
     return sight_->may_see(field_.tree, field_.sights, node);
   }
-  /// Returns an upper bound of the power that portals let pass from the node to what lies in `box`,
-  /// polygons of `m2` of the receiving cluster: infinite where they share a cell.
-  double portal_power(std::uint32_t node, const Box& box, double m2) const {
-    const std::span<const CellId> own = field_.sights.cells_of(receiver_);
-    const double brightest = light().brightest(node);
-    return brightest > 0.0 ? field_.exchange.bound_m2(own, box, m2, node) * brightest : 0.0;
+  /// PortalExchange::bound_m2 between the node and what lies in `box`, polygons of `m2` of the
+  /// receiving cluster.
+  double portal_m2(std::uint32_t node, const Box& box, double m2) const {
+    return field_.exchange.bound_m2(field_.sights.cells_of(receiver_), box, m2, node);
   }
   /// Returns a cluster of the node, drawn by its estimated share of what they send to x. `pick` is
   /// uniform in [0, 1); what is left of it is again. `probability` becomes the cluster's.

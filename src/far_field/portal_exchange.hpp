@@ -39,7 +39,8 @@ class PortalExchange {
     return is_one_cell(n) ? of_place_[n.first_cell] : of_node_[node];
   }
   double from_doorway(const Doorway& out, std::uint32_t node) const;
-  /// For what lies at `place`; lines that come from `from_place` inside a node do not enter it.
+  /// Adds a doorway to the cell at `place` and to the nodes above it; a doorway from another cell
+  /// of the same node (the one at `from_place`) is no entry of that node.
   void add_entry(const Doorway& doorway, std::uint32_t place, std::uint32_t from_place);
 
   const BuildingTree& tree_;

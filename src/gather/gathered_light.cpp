@@ -78,7 +78,7 @@ void GatheredLight::receive(const Link& link, std::span<const float> transport) 
 }
 
 /// transport[0] is the irradiance of a plane that faces the light; each polygon of the group gets
-/// the share of its cosine to it.
+/// the share of its cosine to it, or all of it where light comes from all sides.
 void GatheredLight::receive_group(const Link& link, std::span<const float> transport) {
   for_each_facing(receiver_, link, transport, [&](std::uint32_t k, double cosine) {
     for (std::size_t b = 0; b < bands_; ++b) {

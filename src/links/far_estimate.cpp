@@ -1,8 +1,8 @@
 // The estimate of a link from a far node: a node of the building's tree, whose polygons are not in
 // memory. The power that arrives is estimated by Monte Carlo, each sample divided by its
 // probability: a far link carries little, but there are many, and a bias of each would add up. Two
-// limits bias it a little, for the sake of stability: of a sample's form factor (1), and of the
-// transport of reflected light per form factor (reflected_transport).
+// limits bias it a little, for the sake of stability: of the form factor of a sample without a ray
+// (1), and of the transport of reflected light per form factor (reflected_transport).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -82,6 +82,13 @@ struct Sums {
   }
 };
 
+/// The van der Corput sequence in base 2: the bits of k behind the binary point, in reverse.
+double radical_inverse(int k) {
+  double sum = 0.0;
+  for (double digit = 0.5; k > 0; k /= 2, digit *= 0.5) sum += k % 2 == 1 ? digit : 0.0;
+  return sum;
+}
+
 /// Samples pairs of points, the receiver's and the far node's, with a ray between them.
 struct FarSampler {
   const LinkSide& receiver;
@@ -89,12 +96,14 @@ struct FarSampler {
   const Occluders& occluders;
   WorkCount& work;
   Random random;
-  Random
-      ray_random;  ///< of the receiver alone: each of its rays ends in one of the nodes around it
+  /// Of the receiver alone, so that each of its rays ends in one of the nodes around it: what one
+  /// node's rays find too much, its neighbours' find too little, and the sum over all is right.
+  Random ray_random;
   Sums sums{};
   /// Where the node surrounds or touches the receiver, a point of it may lie so near that it stands
   /// for more than all light: there a ray is drawn as well.
   bool with_rays = gap_m(receiver.bounds, shooter.bounds) <= 0.0;
+  double ray_shift = ray_random.uniform();
 
   /// Adds `count` samples, stratified over the receiver and over the node's clusters.
   void add(int count) {
@@ -115,16 +124,17 @@ struct FarSampler {
         if (passage.share <= 0.0) ++sums.hidden;
         seen += sums.add(s, passage);
       }
-      if (with_rays) seen += add_ray(k, count);
+      if (with_rays) seen += add_ray(k);
       sums.seen2 += seen * seen;
     }
   }
-  /// Returns the irradiance that ray k of `count` brings.
-  double add_ray(int k, int count) {
-    const ReceiverPoint p = point_of(receiver, k, count, ray_random);
+  /// Returns the irradiance that ray k brings: the first n rays of a receiver are the same for all
+  /// nodes, whatever n is.
+  double add_ray(int k) {
+    const ReceiverPoint p = point_of(receiver, 0, 1, ray_random);
     const std::uint32_t own = occluders.global(receiver.cluster, p.polygon);
     const double turn = ray_random.uniform();
-    const Vec3 d = cosine_direction(p.n, (k + ray_random.uniform()) / count, turn);
+    const Vec3 d = cosine_direction(p.n, std::fmod(ray_shift + radical_inverse(k), 1.0), turn);
     ++work.rays;
     const FarSample end = end_of_ray(*shooter.far, shooter.id.group(), p.x, p.n, d, own, occluders);
     if (end.factor <= 0.0) return 0.0;
@@ -152,13 +162,17 @@ double worst_exitance(const BuildingLight& light, std::uint32_t node) {
   return worst;
 }
 
-double facing_area(const LinkSide& receiver, const Vec3& toward) {
+/// Area of a group's polygons that light reaches, times their cosines to `toward`; 0 = from all
+/// sides.
+double receiving_area(const LinkSide& receiver, const Vec3& toward) {
   double m2 = 0.0;
   const GroupNode& group = receiver.group();
   for (std::uint32_t i = group.begin; i < group.end; ++i) {
     const std::uint32_t k = receiver.forest->order()[i];
+    if (receiver.forest->unreachable(k)) continue;
+    const double cosine = glm::dot(receiver.forest->frames()[k].n, toward);
     m2 += receiver.forest->node(k).shape.area_m2 *
-          std::max(0.0, glm::dot(receiver.forest->frames()[k].n, toward));
+          (toward == Vec3(0.0) ? 1.0 : std::max(0.0, cosine));
   }
   return m2;
 }
@@ -190,9 +204,10 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   const std::uint32_t node = shooter.id.group();
   const double mean = sums.seen / sums.samples, all = sums.all / sums.samples;
   const double light = std::max(shooter.light, least_light_share * building.most(node));
-  // Portals let pass no more than this share of the unoccluded power.
-  const double passing =
-      all > 0.0 ? std::min(1.0, shooter.portal_power / (receiver.area_m2 * all)) : 1.0;
+  // Portals let pass no more than this share of the unoccluded power, were all the node as bright
+  // as its brightest polygon.
+  const double most = shooter.portal_m2 * building.most(node);
+  const double passing = all > 0.0 ? std::min(1.0, most / (receiver.area_m2 * all)) : 1.0;
   double deviation =
       sums.samples > 1 ? sums.deviation_of_mean() : one_sample_deviation * std::sqrt(passing) * all;
   if (sums.hidden > 0) {
@@ -207,11 +222,11 @@ LinkEstimate LinkEstimator::evaluate_far(const LinkSide& receiver, const LinkSid
   // A group receives in proportion to its polygons' cosines to the node's middle, and from a node
   // around it from all sides.
   double scale = 1.0;
-  if (receiver.is_group() && !sampler.with_rays) {
-    const Vec3 toward = d / distance;
-    const double facing_m2 = facing_area(receiver, toward);
-    if (facing_m2 <= 0.0) return out;
-    scale = receiver.area_m2 / facing_m2;
+  if (receiver.is_group()) {
+    const Vec3 toward = sampler.with_rays ? Vec3(0.0) : d / distance;
+    const double m2 = receiving_area(receiver, toward);
+    if (m2 <= 0.0) return out;
+    scale = receiver.area_m2 / m2;
     out.transport = {0.0f, static_cast<float>(toward.x), static_cast<float>(toward.y),
                      static_cast<float>(toward.z)};
   }

@@ -59,13 +59,15 @@ double LinkEstimator::factor_bound(const LinkSide& receiver, const LinkSide& sho
 }
 
 double LinkEstimator::power_bound(const LinkSide& receiver, const LinkSide& shooter) {
+  if (!shooter.is_far())
+    return shooter.light > 0.0 ? shooter.light * factor_bound(receiver, shooter) : 0.0;
   // A far node that sends nothing to the receiver's middle may light its ends.
-  if (shooter.is_far()) {
-    const double all = shooter.far->light().radiosity(shooter.id.group(), Vec3(0.0));
-    return std::min(shooter.portal_power, std::max(shooter.light, turned_away_share * all) *
-                                              factor_bound(receiver, shooter));
-  }
-  return shooter.light > 0.0 ? shooter.light * factor_bound(receiver, shooter) : 0.0;
+  const BuildingLight& light = shooter.far->light();
+  const std::uint32_t node = shooter.id.group();
+  const double all = light.radiosity(node, Vec3(0.0)), brightest = light.brightest(node);
+  const double by_distance =
+      std::max(shooter.light, turned_away_share * all) * factor_bound(receiver, shooter);
+  return brightest > 0.0 ? std::min(by_distance, shooter.portal_m2 * brightest) : by_distance;
 }
 
 bool LinkEstimator::faces_away(const LinkSide& receiver, const LinkSide& shooter) {

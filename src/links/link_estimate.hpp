@@ -56,7 +56,9 @@ class LinkEstimator {
                     const Between& among, const LinkEstimate& decided);
   /// Returns the polygons between the sides of the link that was evaluated last.
   Between between() const { return visibility_.between(); }
-  /// Returns an upper bound of the received power, by distance and size alone.
+  /// Returns an upper bound of the received power by distance and size alone, as if all of the
+  /// shooter sent its mean radiosity; from a far node also by what portals let pass of the light of
+  /// its brightest cell's mean.
   static double power_bound(const LinkSide& receiver, const LinkSide& shooter);
   /// The same per unit of the shooter's light (m2).
   static double factor_bound(const LinkSide& receiver, const LinkSide& shooter);

@@ -142,7 +142,7 @@ LinkSide LinkSide::of(const FarView& far, std::uint32_t node, const LinkSide& re
   if (distance > 2.0 * side.radius) side.toward = d / distance;
   static_cast<NodeLight&>(side) = NodeLight::of(far.light(), node, side.toward);
   side.area_m2 = far.tree().facing_m2(node, side.toward);
-  side.portal_power = far.portal_power(node, receiver.bounds, receiver.area_m2);
+  side.portal_m2 = far.portal_m2(node, receiver.bounds, receiver.area_m2);
   return side;
 }
 

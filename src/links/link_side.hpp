@@ -41,8 +41,8 @@ struct LinkSide : NodeLight {
   Box bounds;
   double area_m2 = 0.0;  ///< of a far node: that faces the receiver
   Vec3 toward{0.0};      ///< from a far node to the receiver; 0 where that is no single direction
-  /// Of a far node: power that portals let pass from it to the receiver, at most.
-  double portal_power = 0.0;
+  /// Of a far node: the most that its direct exchange area with the receiver can be, by portals.
+  double portal_m2 = 0.0;
 
   bool is_light() const { return forest == nullptr && far == nullptr; }
   bool is_far() const { return far != nullptr; }

@@ -60,7 +60,7 @@ FarSample sample_at(const Vec3& y, std::uint32_t global, const BuildingLight::Po
 /// Shares the light between two ways to sample it (the balance heuristic: Veach and Guibas 1995): a
 /// point of the node that is drawn by its light stands for this form factor, the end of a ray that
 /// is drawn by its cosine for 1.
-double balanced(double factor) { return factor / (1.0 + factor); }
+double balanced(double factor) { return factor > 0.0 ? 1.0 / (1.0 + 1.0 / factor) : 0.0; }
 
 }  // namespace
 
@@ -77,7 +77,9 @@ FarSample point_of_node(const FarView& far, std::uint32_t node, const Vec3& x, c
   const Vec3 y = uniform_point(occluders.polygon(global), random.uniform(), random.uniform());
   const double factor = point_kernel(x, n, y, polygons[k].plane.n) * polygons[k].area_m2 *
                         weights.total / (chosen * weights.of[k]);
-  return sample_at(y, global, polygons[k], with_rays ? balanced(factor) : std::min(1.0, factor));
+  // Rays end on no pane.
+  const bool shared = with_rays && !occluders.panes().contains(global);
+  return sample_at(y, global, polygons[k], shared ? balanced(factor) : std::min(1.0, factor));
 }
 
 FarSample end_of_ray(const FarView& far, std::uint32_t node, const Vec3& x, const Vec3& n,

@@ -23,7 +23,7 @@ struct FarSample {
 /// Draws a cluster of the node by its share of the light and of the area that it turns to x
 /// (FarView::pick_cluster), a polygon by its share of the cluster's, then a point on it, uniformly.
 /// What stands between is not looked at. Unbiased by itself, but that no sample stands for a form
-/// factor above 1; `with_rays`: unbiased together with end_of_ray().
+/// factor above 1; `with_rays`: unbiased together with end_of_ray(), panes being drawn here alone.
 FarSample point_of_node(const FarView& far, std::uint32_t node, const Vec3& x, const Vec3& n,
                         double pick, bool with_rays, const Occluders& occluders, Random& random);
 

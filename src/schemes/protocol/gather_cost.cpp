@@ -60,7 +60,10 @@ GatherCost get_cost(ByteReader& r) {
   cost.patches = r.get<SectionWeight>();
   cost.links_changed = get_flag(r);
   if (cost.links_changed) cost.links = r.get<SectionWeight>();
-  cost.coupled = CoupledPlaces::of(r.get_all<std::uint64_t>());
+  std::vector<std::uint64_t> coupled = r.get_all<std::uint64_t>();
+  if (coupled.size() > CoupledPlaces::most_words)
+    throw RunError("costs: damaged; solve it again, then replay it");
+  cost.coupled = CoupledPlaces::of(std::move(coupled));
   cost.read = r.get_all<ClusterId>();
   return cost;
 }

@@ -19,6 +19,7 @@ namespace enfilade {
 /// is empty.
 class CoupledPlaces {
  public:
+  static constexpr std::size_t most_words = std::size_t{1} << 25;  ///< places have 32 bits
   /// `place`: column + unknowns * aggregate of the receiver.
   void add(std::uint32_t place) {
     if (words_.size() <= place / 64) words_.resize(place / 64 + 1, 0);

@@ -274,6 +274,69 @@ TEST(FarEstimate, AGroupInANodeReceivesFromAllSides) {
   for (const double irradiance : received) EXPECT_NEAR(irradiance, 1.0, 0.15);
 }
 
+/// Rooms beside each other, each with a floor whose one end lies below a bright half of the
+/// ceiling: where on the floor a ray starts and where to it goes must not depend on each other.
+TEST(FarEstimate, RaysFromAnyPlaceGoAnywhere) {
+  constexpr int rooms = 3000;
+  plan::Plan plan;
+  const auto at = [](int i) { return Vec3(5.0 * (i % 20), 3.0 * (i / 20), 0.0); };
+  for (int i = 0; i < rooms; ++i) {
+    const Vec3 x(4, 0, 0), y(0, 2, 0), z(0, 0, 2);
+    plan.rectangle(at(i), x, y);                      // the floor
+    plan.rectangle(at(i) + z, y, 0.5 * x);            // bright
+    plan.rectangle(at(i) + z + 0.5 * x, y, 0.5 * x);  // dark, as the walls
+    plan.rectangle(at(i), y, z);
+    plan.rectangle(at(i), z, x);
+    plan.rectangle(at(i) + x, z, y);
+    plan.rectangle(at(i) + y, x, z);
+  }
+  Scene scene = plan.scene();
+  scene.bands = 1;
+  std::vector<Cluster> clusters;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    scene.surfaces[i].exitance = {i % 7 == 1 ? 1.0 : 0.01};
+    Cluster cluster;
+    cluster.id = ClusterId(i);
+    cluster.cell = CellId(0u);
+    cluster.polygons.push_back({SurfaceId(i), scene.surfaces[i].vertices});
+    cluster.area_m2 = area_m2(scene.surfaces[i].vertices);
+    cluster.bounds = bounds(scene.surfaces[i].vertices);
+    clusters.push_back(std::move(cluster));
+  }
+  const CellComplex complex = build_cells(plan::one_room().pieces(), {});
+  const BuildingTree tree(clusters);
+  const BuildingLight light(tree, scene, clusters);
+  const CellSights sights(complex, clusters);
+  const FarField field(tree, light, sights);
+  const Occluders occluders(clusters);
+  WorkCount work;
+  LinkEstimator estimator(occluders, VisibilityMethod::exact, work);
+  double estimated = 0.0, exact = 0.0;
+  for (std::uint32_t i = 0; i < rooms; ++i) {
+    const ClusterId floor(7 * i);
+    const FarView view(field, floor);
+    const ClusterState receiver(clusters[floor.index()], scene, Basis::constant);
+    const LinkSide side = LinkSide::of(receiver.patches(), floor, receiver.patches().root());
+    const LinkEstimate estimate = estimator.evaluate(
+        side, LinkSide::of(view, BuildingTree::root, side), by_many_samples, nullptr);
+    estimated +=
+        estimate.transport[FarTerms::of(false).emitted] * light.emitted(BuildingTree::root, 0);
+    const Polygon& of = clusters[floor.index()].polygons[0].polygon;
+    for (std::uint32_t k = 1; k < 7; ++k) {
+      const Polygon& to = clusters[floor.index() + k].polygons[0].polygon;
+      double factor = 0.0;
+      constexpr int steps = 8;
+      for (int a = 0; a < steps * steps; ++a) {
+        const Vec3 x = of[0] + (a % steps + 0.5) / steps * (of[1] - of[0]) +
+                       (a / steps + 0.5) / steps * (of[3] - of[0]);
+        factor += point_to_polygon(x, {0, 0, 1}, to) / (steps * steps);
+      }
+      exact += factor * scene.surfaces[floor.index() + k].exitance[0];
+    }
+  }
+  EXPECT_NEAR(estimated, exact, 0.025 * exact);
+}
+
 TEST(FarEstimate, SamplesAreAsManyAsThePowerIsWorth) {
   FarPair pair({});
   const auto samples = [&](double tolerance) {

@@ -101,6 +101,40 @@ TEST(FarSample, AmongFurnitureTheFactorsStillSumToOne) {
   }
 }
 
+/// No ray ends on a pane: what it sends is drawn by points alone.
+TEST(FarSample, APaneSendsAllItsLight) {
+  LitRoom room(plan::one_room());
+  for (Surface& surface : room.building.scene.surfaces) surface.exitance = {0.0};
+  room.building.scene.surfaces.back().exitance = {LitRoom::lamp_exitance};
+  const SurfaceId lamp(room.building.scene.surfaces.size() - 1);
+  const Polygon* pane = nullptr;
+  for (Cluster& cluster : room.building.clusters) {
+    for (ClusterPolygon& polygon : cluster.polygons) {
+      if (polygon.surface != lamp) continue;
+      polygon.pane = true;
+      polygon.transmittance = {0.5};
+      pane = &polygon.polygon;
+    }
+  }
+  ASSERT_NE(pane, nullptr);
+  const BuildingLight light(room.tree, room.building.scene, room.building.clusters);
+  const FarField field(room.tree, light, room.sights);
+  const FarView view(field, ClusterId(0u));
+  const Occluders occluders(room.building.clusters);
+  ASSERT_TRUE(occluders.panes().any());
+  Random random(8);
+  for (const Place& place : {places[0], places[2]}) {
+    testing::Samples emitted;
+    for (int i = 0; i < 40000; ++i) {
+      emitted.add(point_of_node(view, BuildingTree::root, place.x, place.n, random.uniform(), true,
+                                occluders, random)
+                      .emitted);
+    }
+    const double want = point_to_polygon(place.x, place.n, *pane) * LitRoom::lamp_exitance;
+    EXPECT_TRUE(testing::has_mean(emitted, want, 2, 1e-3)) << place.x.x;
+  }
+}
+
 /// The two halves of the tree share what the whole sends.
 TEST(FarSample, PartsOfANodeSendWhatTheWholeSends) {
   const LitRoom room(plan::one_room());
