@@ -15,7 +15,7 @@ constexpr int finest_light_part = 16;
 constexpr double far_gap = 2.0;
 /// A far node that surrounds or touches the receiver is opened unless its power is below this share
 /// of the tolerance.
-constexpr double surrounding_share = 0.3;
+constexpr double surrounding_share = 0.1;
 
 }  // namespace
 
