@@ -231,38 +231,42 @@ TEST(FarEstimate, AGroupReceivesThePowerOfTheClosedForm) {
   EXPECT_NEAR(estimated, exact, 0.03 * exact);
 }
 
-/// A cube in the middle of a room whose faces all emit 1: whichever way its faces turn, 1 arrives.
-TEST(FarEstimate, AGroupInANodeReceivesFromAllSides) {
-  plan::Plan plan = plan::one_room();
-  plan.box({2.4, 1.9, 1.1}, {2.6, 2.1, 1.3}, false);
+/// Irradiances of the polygons of a receiving group in a room of six surfaces that all emit 1, by
+/// one link from the whole. `receiving`: surfaces of the plan, of which the last `unreachable` are
+/// marked so.
+std::vector<double> received_by_group(const plan::Plan& plan, std::vector<std::size_t> receiving,
+                                      std::size_t unreachable) {
   Scene scene = plan.scene();
   scene.bands = 1;
-  std::vector<Cluster> clusters(7);
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    Cluster& cluster = clusters[i < 6 ? i : 6];
-    scene.surfaces[i].exitance = {i < 6 ? 1.0 : 0.0};
+  std::vector<Cluster> clusters(1);
+  const auto add = [&](Cluster& cluster, std::size_t i) {
     cluster.polygons.push_back({SurfaceId(i), scene.surfaces[i].vertices});
     cluster.area_m2 += area_m2(scene.surfaces[i].vertices);
     cluster.bounds.add(bounds(scene.surfaces[i].vertices));
+    cluster.cell = CellId(0u);
+  };
+  for (const std::size_t i : receiving) add(clusters[0], i);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    scene.surfaces[i].exitance = {i < 6 ? 1.0 : 0.0};
+    if (std::find(receiving.begin(), receiving.end(), i) == receiving.end())
+      add(clusters.emplace_back(), i);
   }
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    clusters[i].id = ClusterId(i);
-    clusters[i].cell = CellId(0u);
-  }
+  for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].id = ClusterId(i);
   const CellComplex complex = build_cells(plan::one_room().pieces(), {});
   const BuildingTree tree(clusters);
   const BuildingLight light(tree, scene, clusters);
   const CellSights sights(complex, clusters);
   const FarField field(tree, light, sights);
-  const FarView view(field, ClusterId(6u));
+  const FarView view(field, ClusterId(0u));
   const Occluders occluders(clusters);
-  const ClusterState receiver(clusters[6], scene, Basis::constant);
-  const PatchForest& patches = receiver.patches();
+  ClusterState receiver(clusters[0], scene, Basis::constant);
+  PatchForest& patches = receiver.patches();
+  for (std::size_t k = patches.polygons() - unreachable; k < patches.polygons(); ++k)
+    patches.mark_unreachable(k);
   WorkCount work;
   LinkEstimator estimator(occluders, VisibilityMethod::exact, work);
   Link link;
   link.receiver = patches.root();
-  ASSERT_TRUE(link.receiver.is_group());
   const LinkSide side = LinkSide::of(patches, receiver.id(), link.receiver);
   const LinkSide far = LinkSide::of(view, BuildingTree::root, side);
   const LinkEstimate estimate = estimator.evaluate(side, far, by_many_samples, nullptr);
@@ -271,7 +275,24 @@ TEST(FarEstimate, AGroupInANodeReceivesFromAllSides) {
     received[k] += cosine * estimate.transport[FarTerms::of(true).emitted] *
                    light.emitted(BuildingTree::root, 0);
   });
-  for (const double irradiance : received) EXPECT_NEAR(irradiance, 1.0, 0.15);
+  return received;
+}
+
+TEST(FarEstimate, AGroupInANodeReceivesFromAllSides) {
+  plan::Plan plan = plan::one_room();
+  plan.box({2.4, 1.9, 1.1}, {2.6, 2.1, 1.3}, false);
+  for (const double e : received_by_group(plan, {6, 7, 8, 9, 10, 11}, 0)) EXPECT_NEAR(e, 1.0, 0.15);
+}
+
+/// The lid of a closed dark box: its upper side receives what its lower side does not.
+TEST(FarEstimate, PolygonsThatNoLightReachesTakeNone) {
+  plan::Plan plan = plan::one_room();
+  plan.box({2.4, 1.9, 1.1}, {2.6, 2.1, 1.3}, true);             // its lid is 9
+  plan.rectangle({2.4, 1.9, 1.301}, {0.2, 0, 0}, {0, 0.2, 0});  // 12
+  const std::vector<double> received = received_by_group(plan, {12, 9}, 1);
+  ASSERT_EQ(received.size(), 2u);
+  EXPECT_NEAR(received[0], 1.0, 0.3);
+  EXPECT_EQ(received[1], 0.0);
 }
 
 /// Rooms beside each other, each with a floor whose one end lies below a bright half of the
