@@ -172,11 +172,19 @@ class StairwellFinder {
     return region;
   }
 
-  double share_in(const PlanBox& box, const Rooms& rooms) const {
+  /// A stairwell's room may run through all storeys, and is looked at in each of them.
+  double volume_of(std::uint32_t leaf) {
+    volumes_m3_.resize(space_.tree.leaves.size(), -1.0);
+    double& m3 = volumes_m3_[leaf];
+    if (m3 < 0.0) m3 = volume_m3(space_.tree.leaves[leaf]);
+    return m3;
+  }
+
+  double share_in(const PlanBox& box, const Rooms& rooms) {
     double inside = 0.0, whole = 0.0;
     for (const std::uint32_t room : {rooms.first, rooms.second}) {
       for (const std::uint32_t leaf : cutter_.leaves_of(room)) {
-        whole += volume_m3(space_.tree.leaves[leaf]);
+        whole += volume_of(leaf);
         inside += volume_m3(part_in(box, space_.tree.leaves[leaf]));
       }
     }
@@ -196,13 +204,14 @@ class StairwellFinder {
 
   void cut_leaf(std::uint32_t leaf, const PlanBox& box, const std::array<std::uint32_t, 4>& sides,
                 std::uint32_t well) {
-    const double whole = volume_m3(space_.tree.leaves[leaf]);
+    const double whole = volume_of(leaf);
     if (volume_m3(part_in(box, space_.tree.leaves[leaf])) <= 1e-6 * whole) return;
     for (const std::uint32_t side : sides) {
       const Plane plane = space_.planes.planes[side];
       // A plane of the scene's pieces may face the other way than the side does.
       const LeafCutter::Split halves = cutter_.cut(leaf, side);
       if (!halves.cut) continue;
+      volumes_m3_[leaf] = -1.0;  // the part behind keeps the number
       leaf = keeps_inside(plane, box) ? halves.behind : halves.front;
     }
     cutter_.assign(leaf, well);
@@ -226,7 +235,7 @@ class StairwellFinder {
       while (!queue.empty()) {
         const std::uint32_t leaf = queue.back();
         queue.pop_back();
-        volumes.back() += volume_m3(space_.tree.leaves[leaf]);
+        volumes.back() += volume_of(leaf);
         for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
           const LeafInterface& face = space_.interfaces[i];
           const std::uint32_t other = face.other_than(leaf);
@@ -255,7 +264,8 @@ class StairwellFinder {
   CutSpace& space_;
   LeafCutter& cutter_;
   StairwellConfig config_;
-  std::vector<Tread> treads_;  ///< from the lowest up
+  std::vector<Tread> treads_;       ///< from the lowest up
+  std::vector<double> volumes_m3_;  ///< by leaf; below 0 until it is asked for
 };
 
 }  // namespace
