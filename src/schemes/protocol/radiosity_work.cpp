@@ -1,6 +1,5 @@
 #include "schemes/protocol/radiosity_work.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "solver/importance.hpp"

@@ -14,7 +14,6 @@ namespace {
 
 /// A room of 5 x 4 x 2.5 m whose faces emit as they are numbered, and a small lamp at its ceiling.
 struct LitRoom {
-  plan::Plan plan{plan::one_room()};
   testing::Building building;
   BuildingTree tree;
   BuildingLight light;
