@@ -52,16 +52,15 @@ double LeafGroup::open_to(std::uint32_t other) const {
   return sum;
 }
 
-double LeafGroup::largest_opening() const {
-  if (largest_opening_m2 >= 0.0) return largest_opening_m2;
+bool LeafGroup::opens_over(double m2) const {
+  if (opening_bound_m2 <= m2) return false;
   std::map<PlaneSide, double> by_side;
   for (const auto& [other, sides] : contacts) {
     for (const auto& [side, contact] : sides) by_side[side] += contact.open;
   }
-  double most = 0.0;
-  for (const auto& [side, open] : by_side) most = std::max(most, open);
-  largest_opening_m2 = most;
-  return most;
+  opening_bound_m2 = 0.0;
+  for (const auto& [side, open] : by_side) opening_bound_m2 = std::max(opening_bound_m2, open);
+  return opening_bound_m2 > m2;
 }
 
 LeafGraph::LeafGraph(std::span<const double> volume_m3, std::span<const LeafInterface> interfaces)
@@ -128,7 +127,8 @@ void LeafGraph::join_contacts(std::uint32_t g, std::uint32_t h) {
   }
   to.contacts.erase(h);
   from.contacts.erase(g);
-  to.forget_sums();  // a third group's openings stay as they are, to another group
+  to.faces_m2 = -1.0;
+  to.opening_bound_m2 += from.opening_bound_m2;  // a third group's openings stay as they are
   for (const auto& [other, sides] : from.contacts) {
     auto& there = groups_[other].contacts;
     for (const auto& [side, contact] : sides) {

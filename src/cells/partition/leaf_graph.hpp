@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -34,12 +35,13 @@ struct LeafGroup {
   bool has_evidence() const { return back + front > 0.0; }
   double boundary() const;
   double open_to(std::uint32_t other) const;
-  /// Returns the area of the largest opening in one side of one plane, to all neighbours together,
-  /// m2.
-  double largest_opening() const;
-  /// To be called where a face or an opening of this group has changed.
-  void forget_sums() { largest_opening_m2 = faces_m2 = -1.0; }
-  mutable double largest_opening_m2 = -1.0, faces_m2 = -1.0;  ///< negative: to be found
+  /// True where the openings in one side of one plane, to all neighbours together, exceed the area.
+  bool opens_over(double m2) const;
+
+  mutable double faces_m2 = -1.0;  ///< sum of `faces`; negative: to be found
+  /// No side of a plane has more open than that, m2. It is added up as groups join, and found anew
+  /// where that does not answer a question.
+  mutable double opening_bound_m2 = std::numeric_limits<double>::infinity();
 };
 
 /// The groups and their contacts. Group 0 is the outside; leaf i begins as group i + 1.

@@ -1,9 +1,10 @@
-// Merging in rounds: rooms first, then the outside, then the thin and the solid groups.
+// Merging, the best first: rooms first, then the outside, then the thin and the solid groups.
 #include "cells/partition/leaf_merge.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <queue>
 #include <utility>
 
 #include "cells/partition/merge_candidates.hpp"
@@ -22,19 +23,19 @@ class Merger {
   }
 
   void run() {
-    while (round(&MergeCandidates::rooms)) {
+    while (round(MergeKind::rooms)) {
     }
     typical_m3_ = typical_volume_m3(graph_);
-    while (round(&MergeCandidates::open_to_outside)) {
+    while (round(MergeKind::open_to_outside)) {
     }
     // Some thin groups go to the outside, which may open others to it.
-    while (round(&MergeCandidates::connectors)) {
-      while (round(&MergeCandidates::open_to_outside)) {
+    while (round(MergeKind::connectors)) {
+      while (round(MergeKind::open_to_outside)) {
       }
     }
     while (join_leaking_solids()) {
     }
-    while (round(&MergeCandidates::enclosed_solids)) {
+    while (round(MergeKind::enclosed_solids)) {
     }
     join_crumbs();
   }
@@ -128,30 +129,50 @@ class Merger {
 
   void join(std::uint32_t g, std::uint32_t h) {
     graph_.join(g, h);
-    if (g == LeafGraph::outside) return;  // rooms are found before anything joins the outside
-    candidates_.mark_changed(g);
-    candidates_.mark_changed(h);
-    for (const auto& [other, sides] : graph_[graph_.find(g)].contacts) {
-      candidates_.mark_changed(other);
-    }
+    candidates_.mark_joined(graph_.find(g));
   }
 
-  // One round: the best candidates first, each group in at most one. False when there was none.
-  bool round(std::vector<MergeCandidate> (MergeCandidates::*find)()) {
-    std::vector<MergeCandidate> candidates = (candidates_.*find)();
-    std::sort(candidates.begin(), candidates.end());
-    std::vector<char> touched(graph_.size(), 0);
-    for (const MergeCandidate& c : candidates) {
+  // One round: the best candidates first. A group that has grown much waits for the next round, so
+  // that groups of like size find each other; a large one takes any number of small ones. Where a
+  // group of a candidate has changed, the candidate is judged anew. False when there was none.
+  bool round(MergeKind kind) {
+    std::priority_queue<MergeCandidate> queue({}, candidates_.find(kind));
+    std::map<std::uint32_t, double> limit_m3;  // by group that has grown in this round
+    const auto waits = [&](std::uint32_t g) {
+      const auto at = limit_m3.find(g);
+      return at != limit_m3.end() && graph_[g].volume > at->second;
+    };
+    bool has_joined = false;
+    while (!queue.empty()) {
+      const MergeCandidate c = queue.top();
+      queue.pop();
       const bool has_via = c.via != MergeCandidate::no_group;
-      if (touched[c.a] || touched[c.b] || (has_via && touched[c.via])) continue;
-      touched[c.a] = c.a != LeafGraph::outside;
-      touched[c.b] = 1;
-      if (has_via) touched[c.via] = 1;
-      if (c.a == LeafGraph::outside && is_like_a_room(graph_[c.b])) lost_.push_back(c.b - 1);
+      if (waits(graph_.find(c.a)) || waits(graph_.find(c.b))) continue;
+      if (candidates_.has_changed(c)) {
+        const auto again = candidates_.judge_again(kind, c);
+        if (again) queue.push(*again);
+        continue;
+      }
+      note_lost(c);
+      const double larger_m3 = std::max(graph_[c.a].volume, graph_[c.b].volume);
+      double limit = (1.0 + config_.round_growth) * larger_m3;
+      for (const std::uint32_t g : {c.a, c.b}) {
+        const auto at = limit_m3.find(g);
+        if (at != limit_m3.end()) limit = std::min(limit, at->second);
+      }
       join(c.a, c.b);
-      if (has_via) join(graph_.find(c.a), c.via);
+      if (has_via) join(c.a, c.via);
+      const std::uint32_t joined = graph_.find(c.a);
+      if (joined != LeafGraph::outside) limit_m3[joined] = limit;
+      has_joined = true;
     }
-    return !candidates.empty();
+    return has_joined;
+  }
+
+  void note_lost(const MergeCandidate& c) {
+    if (c.a != LeafGraph::outside && c.b != LeafGraph::outside) return;
+    const std::uint32_t joins = c.a == LeafGraph::outside ? c.b : c.a;
+    if (is_like_a_room(graph_[joins])) lost_.push_back(joins - 1);
   }
 
   MergeConfig config_;

@@ -21,6 +21,8 @@ struct MergeConfig {
   /// An opening with this share of its rim in a wall is a door, even where it is the whole face of
   /// the leaves that were merged so far.
   double framed_share = 0.45;
+  /// In one round of merging a group grows by little more than this share of its volume.
+  double round_growth = 0.01;
   /// A nook joins its room: it is open over nearly all of its face...
   double nook_open_share = 0.85;
   /// ... and not deeper than this many times the opening's width (an open corridor is).

@@ -1,6 +1,7 @@
 #include "cells/partition/merge_candidates.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace enfilade {
 namespace {
@@ -14,27 +15,100 @@ bool disagree(const LeafGroup& g, const LeafGroup& h) {
   return g.has_evidence() && h.has_evidence() && g.is_solid() != h.is_solid();
 }
 
+/// What two groups share, m2: their openings, and the face of the second group around these.
+struct OpenSide {
+  double open = 0.0, framed = 0.0, face = 0.0;
+
+  /// From the group `of` to its neighbour.
+  OpenSide(const LeafGraph& graph, const LeafGroup& of, std::uint32_t neighbour) {
+    const auto at = of.contacts.find(neighbour);
+    if (at == of.contacts.end()) return;
+    for (const auto& [side, contact] : at->second) {
+      if (contact.open <= 0.0) continue;
+      open += contact.open;
+      framed += contact.framed;
+      face += graph[neighbour].faces.at(side ^ 1u);
+    }
+  }
+};
+
 }  // namespace
 
 MergeCandidates::MergeCandidates(const LeafGraph& graph, const MergeConfig& config)
     : graph_(graph),
       config_(config),
-      stale_(graph.size(), 1),
-      thin_(graph.size(), 0),
-      rooms_of_(graph.size()) {}
+      changed_at_(graph.size(), 0),
+      changed_(graph.size()),
+      thin_(graph.size(), 0) {
+  std::iota(changed_.begin(), changed_.end(), 0u);
+}
+
+std::vector<MergeCandidate> MergeCandidates::find(MergeKind kind) {
+  std::vector<MergeCandidate> all;
+  const auto add = [&all](const std::optional<MergeCandidate>& candidate) {
+    if (candidate) all.push_back(*candidate);
+  };
+  if (kind == MergeKind::rooms) {
+    for (const std::uint32_t i : take_stale()) add_rooms_of(i, all);
+    return all;
+  }
+  if (kind == MergeKind::open_to_outside) {
+    for (const auto& [g, sides] : graph_[LeafGraph::outside].contacts) add(outside_of(g));
+    return all;
+  }
+  for (std::uint32_t i = 1; i < graph_.size(); ++i) {
+    if (!graph_.alive(i)) continue;
+    if (kind == MergeKind::connectors) add(neighbour_of_connector(i));
+    if (kind != MergeKind::enclosed_solids || !graph_[i].is_solid()) continue;
+    for (const auto& [j, sides] : graph_[i].contacts) add(room_around(i, j));
+  }
+  return all;
+}
+
+std::optional<MergeCandidate> MergeCandidates::judge_again(MergeKind kind,
+                                                           const MergeCandidate& c) const {
+  const std::uint32_t a = graph_.find(c.a), b = graph_.find(c.b);
+  if (a == b) return {};
+  switch (kind) {
+    case MergeKind::rooms:
+      if (c.via == MergeCandidate::no_group) return room_of(std::min(a, b), std::max(a, b));
+      if (!graph_.alive(c.via)) return {};
+      return room_across(std::min(a, b), std::max(a, b), c.via);
+    case MergeKind::open_to_outside:
+      return outside_of(b);
+    case MergeKind::connectors:
+      return a == c.a ? neighbour_of_connector(a) : std::nullopt;
+    case MergeKind::enclosed_solids:
+      return a == c.a ? room_around(a, b) : std::nullopt;
+  }
+  return {};
+}
+
+bool MergeCandidates::has_changed(const MergeCandidate& c) const {
+  const auto changed = [&](std::uint32_t g) { return !graph_.alive(g) || changed_at_[g] > c.time; };
+  return changed(c.a) || changed(c.b) || (c.via != MergeCandidate::no_group && changed(c.via));
+}
+
+void MergeCandidates::mark_joined(std::uint32_t group) {
+  changed_at_[group] = ++joins_;
+  if (group == LeafGraph::outside) return;  // which joins no room
+  changed_.push_back(group);
+  thin_[group] = is_connector(graph_[group]);
+}
 
 // The depth of a thin group is its volume over its opening.
 bool MergeCandidates::is_connector(const LeafGroup& g) const {
-  const double opening = g.largest_opening();
-  return opening > 0.0 && g.volume < config_.connector_depth * opening * std::sqrt(opening);
+  return g.opens_over(std::pow(g.volume / config_.connector_depth, 2.0 / 3.0));
 }
 
 // How much two touching groups are one room: 0 where they are not.
 double MergeCandidates::room_score(std::uint32_t a, std::uint32_t b) const {
   const LeafGroup& g = graph_[a];
   const LeafGroup& h = graph_[b];
+  const auto at = g.contacts.find(b);
+  if (at == g.contacts.end()) return 0.0;
   double open = 0.0, framed = 0.0, g_face = 0.0, h_face = 0.0;
-  for (const auto& [side, contact] : g.contacts.at(b)) {
+  for (const auto& [side, contact] : at->second) {
     open += contact.open;
     framed += contact.framed;
     g_face += g.faces.at(side);
@@ -58,110 +132,94 @@ double MergeCandidates::room_score(double open, double framed, double g_face, do
   return is_nook ? mean : 0.0;
 }
 
-// A group's candidates depend on the group and its neighbours alone: they are found anew only where
-// one of these has changed.
-std::vector<MergeCandidate> MergeCandidates::rooms() {
-  std::vector<MergeCandidate> all;
-  for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-    if (stale_[i]) thin_[i] = graph_.alive(i) && is_connector(graph_[i]);
-  }
-  for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-    std::vector<MergeCandidate>& own = rooms_of_[i];
-    if (stale_[i]) {
-      own.clear();
-      if (graph_.alive(i)) add_rooms_of(i, own);
-      stale_[i] = 0;
+// A group's candidates depend on the group and its neighbours alone.
+std::vector<std::uint32_t> MergeCandidates::take_stale() {
+  std::vector<std::uint32_t> stale;
+  for (const std::uint32_t i : changed_) {
+    if (i == LeafGraph::outside || !graph_.alive(i)) continue;
+    stale.push_back(i);
+    for (const auto& [j, sides] : graph_[i].contacts) {
+      if (j != LeafGraph::outside) stale.push_back(j);
     }
-    all.insert(all.end(), own.begin(), own.end());
   }
-  return all;
+  changed_.clear();
+  std::sort(stale.begin(), stale.end());
+  stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+  for (const std::uint32_t i : stale) thin_[i] = is_connector(graph_[i]);
+  return stale;
 }
 
 void MergeCandidates::add_rooms_of(std::uint32_t i, std::vector<MergeCandidate>& out) const {
-  for (const auto& [j, sides] : graph_[i].contacts) {
-    if (j <= i || thin_[i] != thin_[j] || disagree(graph_[i], graph_[j])) continue;
-    const double score = room_score(i, j);
-    if (score > 0.0) out.push_back({score, i, j});
+  std::vector<std::uint32_t> sides;  // of a thin group
+  for (const auto& [j, contacts] : graph_[i].contacts) {
+    if (j > i) {
+      if (const auto room = room_of(i, j)) out.push_back(*room);
+    }
+    if (thin_[i] && j != LeafGraph::outside && !thin_[j]) sides.push_back(j);
   }
-  if (thin_[i]) add_rooms_across(i, out);
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    for (std::size_t l = k + 1; l < sides.size(); ++l) {
+      if (const auto room = room_across(sides[k], sides[l], i)) out.push_back(*room);
+    }
+  }
+}
+
+std::optional<MergeCandidate> MergeCandidates::room_of(std::uint32_t a, std::uint32_t b) const {
+  if (thin_[a] != thin_[b] || disagree(graph_[a], graph_[b])) return {};
+  const double score = room_score(a, b);
+  if (score <= 0.0) return {};
+  return MergeCandidate{score, a, b, MergeCandidate::no_group, joins_};
 }
 
 // Two groups on both sides of a thin one are judged as if it were not there.
-void MergeCandidates::add_rooms_across(std::uint32_t c, std::vector<MergeCandidate>& out) const {
-  struct Side {
-    std::uint32_t group;
-    double open, framed, face;
-  };
-  std::vector<Side> sides;
-  for (const auto& [other, contacts] : graph_[c].contacts) {
-    if (other == LeafGraph::outside || thin_[other] || disagree(graph_[other], graph_[c])) continue;
-    Side side{other, 0.0, 0.0, 0.0};
-    for (const auto& [plane_side, contact] : contacts) {
-      if (contact.open <= 0.0) continue;
-      side.open += contact.open;
-      side.framed += contact.framed;
-      side.face += graph_[other].faces.at(plane_side ^ 1u);
-    }
-    if (side.open > 0.0) sides.push_back(side);
-  }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (std::size_t j = i + 1; j < sides.size(); ++j) {
-      const LeafGroup& g = graph_[sides[i].group];
-      const LeafGroup& h = graph_[sides[j].group];
-      if (disagree(g, h)) continue;
-      const double open = std::min(sides[i].open, sides[j].open);
-      const double framed =
-          0.5 * open * (sides[i].framed / sides[i].open + sides[j].framed / sides[j].open);
-      const double score = room_score(open, framed, sides[i].face, sides[j].face, g, h);
-      if (score > 0.0) out.push_back({score, sides[i].group, sides[j].group, c});
-    }
-  }
+std::optional<MergeCandidate> MergeCandidates::room_across(std::uint32_t a, std::uint32_t b,
+                                                           std::uint32_t c) const {
+  if (!thin_[c] || thin_[a] || thin_[b]) return {};
+  const LeafGroup &g = graph_[a], &h = graph_[b], &between = graph_[c];
+  if (disagree(g, h) || disagree(g, between) || disagree(h, between)) return {};
+  const OpenSide to_g(graph_, between, a), to_h(graph_, between, b);
+  if (to_g.open <= 0.0 || to_h.open <= 0.0) return {};
+  const double open = std::min(to_g.open, to_h.open);
+  const double framed = 0.5 * open * (to_g.framed / to_g.open + to_h.framed / to_h.open);
+  const double score = room_score(open, framed, to_g.face, to_h.face, g, h);
+  if (score <= 0.0) return {};
+  return MergeCandidate{score, a, b, c, joins_};
 }
 
-std::vector<MergeCandidate> MergeCandidates::open_to_outside() {
-  std::vector<MergeCandidate> all;
-  for (const auto& [g, sides] : graph_[LeafGraph::outside].contacts) {
-    const LeafGroup& group = graph_[g];
-    if (group.is_solid() || is_connector(group)) continue;
-    const double whole = group.boundary(), open = group.open_to(LeafGraph::outside);
-    if (whole > 0.0 && open >= config_.outside_share * whole) {
-      all.push_back({open / whole, LeafGraph::outside, g});
-    }
-  }
-  return all;
+std::optional<MergeCandidate> MergeCandidates::outside_of(std::uint32_t g) const {
+  const LeafGroup& group = graph_[g];
+  if (group.is_solid() || is_connector(group)) return {};
+  const double whole = group.boundary(), open = group.open_to(LeafGraph::outside);
+  if (whole <= 0.0 || open < config_.outside_share * whole) return {};
+  return MergeCandidate{open / whole, LeafGraph::outside, g, MergeCandidate::no_group, joins_};
 }
 
-std::vector<MergeCandidate> MergeCandidates::connectors() {
-  std::vector<MergeCandidate> all;
-  for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-    if (!graph_.alive(i) || !is_connector(graph_[i])) continue;
-    MergeCandidate best;
-    for (const auto& [j, sides] : graph_[i].contacts) {
-      if (disagree(graph_[i], graph_[j])) continue;
-      const double open = graph_[i].open_to(j);
-      const double score = j == LeafGraph::outside ? open * (1.0 - outside_handicap) : open;
-      if (score > best.score * (1.0 + opening_rounding))
-        best = {score, std::min(i, j), std::max(i, j)};
-    }
-    if (best.score > 0.0) all.push_back(best);
+// A thin group goes to the group that it is more open to, to a room before the outside.
+std::optional<MergeCandidate> MergeCandidates::neighbour_of_connector(std::uint32_t i) const {
+  if (!is_connector(graph_[i])) return {};
+  MergeCandidate best{0.0, i, i, MergeCandidate::no_group, joins_};
+  for (const auto& [j, sides] : graph_[i].contacts) {
+    if (disagree(graph_[i], graph_[j])) continue;
+    const double open = graph_[i].open_to(j);
+    const double score = j == LeafGraph::outside ? open * (1.0 - outside_handicap) : open;
+    if (score <= best.score * (1.0 + opening_rounding)) continue;
+    best.score = score;
+    best.b = j;
   }
-  return all;
+  if (best.score <= 0.0) return {};
+  return best;
 }
 
-std::vector<MergeCandidate> MergeCandidates::enclosed_solids() {
-  std::vector<MergeCandidate> all;
-  for (std::uint32_t i = 1; i < graph_.size(); ++i) {
-    if (!graph_.alive(i) || !graph_[i].is_solid()) continue;
-    const double whole = graph_[i].boundary();
-    for (const auto& [j, sides] : graph_[i].contacts) {
-      double touching = 0.0;
-      for (const auto& [side, contact] : sides) touching += contact.area;
-      if (!graph_[j].is_solid() && touching > config_.enclosed_share * whole) {
-        all.push_back({touching, std::min(i, j), std::max(i, j)});
-      }
-    }
-  }
-  return all;
+// A wall or a slab has at most half of its boundary on one side.
+std::optional<MergeCandidate> MergeCandidates::room_around(std::uint32_t solid,
+                                                           std::uint32_t room) const {
+  const LeafGroup& group = graph_[solid];
+  const auto at = group.contacts.find(room);
+  if (!group.is_solid() || graph_[room].is_solid() || at == group.contacts.end()) return {};
+  double touching = 0.0;
+  for (const auto& [side, contact] : at->second) touching += contact.area;
+  if (touching <= config_.enclosed_share * group.boundary()) return {};
+  return MergeCandidate{touching, solid, room, MergeCandidate::no_group, joins_};
 }
 
 }  // namespace enfilade

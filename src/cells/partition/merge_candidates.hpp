@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -12,18 +13,29 @@
 
 namespace enfilade {
 
-/// Two groups to be joined, a < b, and the thin group between them that joins both where there is
-/// one.
+/// Why groups become one.
+enum class MergeKind {
+  rooms,            ///< a wide opening joins them, directly or across a thin group
+  open_to_outside,  ///< one is the outside, and the other is open to it over a share of its
+                    ///< boundary
+  connectors,       ///< one is thin, and open to the other more than to all others
+  enclosed_solids,  ///< one is solid and has most of its boundary in the other, a room (furniture)
+};
+
+/// Two groups to be joined, and the thin group between them that joins both where there is one.
 struct MergeCandidate {
   static constexpr std::uint32_t no_group = 0xFFFFFFFFu;
   double score = 0.0;  ///< a share of a face or a boundary, or m2; more goes first
+  /// Rooms: a < b. Open to the outside: a is the outside. Connectors and solids: a joins b.
   std::uint32_t a = 0, b = 0, via = no_group;
+  std::uint32_t time = 0;  ///< of the judgement, counted in joins
 
   /// Scores that differ by rounding are equal.
   double level() const { return std::round(score * 1e6); }
+  /// True where the other goes first.
   bool operator<(const MergeCandidate& o) const {
-    if (level() != o.level()) return level() > o.level();
-    return std::tie(a, b, via) < std::tie(o.a, o.b, o.via);
+    if (level() != o.level()) return level() < o.level();
+    return std::tie(a, b, via) > std::tie(o.a, o.b, o.via);
   }
 };
 
@@ -33,31 +45,37 @@ class MergeCandidates {
  public:
   MergeCandidates(const LeafGraph& graph, const MergeConfig& config);
 
-  /// Groups that are one room: a wide opening joins them, directly or across a thin group.
-  std::vector<MergeCandidate> rooms();
-  /// Groups that are open to the outside over a share of their boundary.
-  std::vector<MergeCandidate> open_to_outside();
-  /// Thin groups between others: each goes to the group that it is more open to, to a room before
-  /// the outside.
-  std::vector<MergeCandidate> connectors();
-  /// Returns the solids that have most of their boundary in one room (furniture), with that room. A
-  /// wall or a slab has at most half of its boundary on one side.
-  std::vector<MergeCandidate> enclosed_solids();
-  /// A group has changed: its candidates for a room, and those of its neighbours, are found anew.
-  void mark_changed(std::uint32_t group) { stale_[group] = 1; }
+  /// All candidates of a kind. Of rooms: those of groups that have changed since they were last
+  /// found, and of their neighbours; a candidate that was found before is not told again.
+  std::vector<MergeCandidate> find(MergeKind kind);
+  /// The candidate between the groups that its groups have become part of, as it is now; nothing
+  /// where it is none any more.
+  std::optional<MergeCandidate> judge_again(MergeKind kind, const MergeCandidate& candidate) const;
+  /// True where a group of the candidate has changed since the candidate was judged.
+  bool has_changed(const MergeCandidate& candidate) const;
+  /// To be called after each join, with the group that both have become.
+  void mark_joined(std::uint32_t group);
 
  private:
   bool is_connector(const LeafGroup& g) const;
   double room_score(std::uint32_t a, std::uint32_t b) const;
   double room_score(double open, double framed, double g_face, double h_face, const LeafGroup& g,
                     const LeafGroup& h) const;
+  std::optional<MergeCandidate> room_across(std::uint32_t a, std::uint32_t b,
+                                            std::uint32_t connector) const;
+  std::optional<MergeCandidate> room_of(std::uint32_t a, std::uint32_t b) const;
+  std::optional<MergeCandidate> outside_of(std::uint32_t group) const;
+  std::optional<MergeCandidate> neighbour_of_connector(std::uint32_t group) const;
+  std::optional<MergeCandidate> room_around(std::uint32_t solid, std::uint32_t room) const;
+  std::vector<std::uint32_t> take_stale();
   void add_rooms_of(std::uint32_t group, std::vector<MergeCandidate>& out) const;
-  void add_rooms_across(std::uint32_t connector, std::vector<MergeCandidate>& out) const;
 
   const LeafGraph& graph_;
   const MergeConfig& config_;
-  std::vector<char> stale_, thin_;                     ///< by group
-  std::vector<std::vector<MergeCandidate>> rooms_of_;  ///< by group, as last found
+  std::uint32_t joins_ = 0;
+  std::vector<std::uint32_t> changed_at_;  ///< by group, counted in joins
+  std::vector<std::uint32_t> changed_;     ///< groups, since rooms were last found
+  std::vector<char> thin_;                 ///< by group
 };
 
 }  // namespace enfilade

@@ -6,63 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "cells/rooms/plan_box.hpp"
+#include "geometry/box_tree.hpp"
+
 namespace enfilade {
 namespace {
-
-/// A rectangle in plan, along two level directions.
-struct PlanBox {
-  Vec3 u{0.0}, v{0.0};
-  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
-
-  double area_m2() const { return (u1 - u0) * (v1 - v0); }
-  bool contains(const Vec3& p) const {
-    const double a = glm::dot(u, p), b = glm::dot(v, p);
-    return a >= u0 && a <= u1 && b >= v0 && b <= v1;
-  }
-  /// False where the region lies beyond one of the sides.
-  bool may_touch(const Region& region) const {
-    for (const Plane& side : sides()) {
-      const bool beyond =
-          std::all_of(region.facets.begin(), region.facets.end(), [&side](const Facet& facet) {
-            return std::all_of(facet.polygon.begin(), facet.polygon.end(),
-                               [&side](const Vec3& p) { return side.signed_distance(p) > 0.0; });
-          });
-      if (beyond) return false;
-    }
-    return true;
-  }
-  /// The planes of the four sides; their fronts are outside the box.
-  std::array<Plane, 4> sides() const {
-    return {Plane{u, u1}, Plane{-u, -u0}, Plane{v, v1}, Plane{-v, -v0}};
-  }
-};
-
-/// The box around all points in plan, along the longest edge of their convex hull.
-PlanBox box_around(const std::vector<Vec3>& points, const Vec3& up) {
-  const Vec3 origin = points.front();
-  std::vector<Vec3> flat;
-  for (const Vec3& p : points) flat.push_back(p - glm::dot(p - origin, up) * up);
-  const Polygon hull = convex_hull(std::move(flat), up);
-  PlanBox box;
-  double longest = 0.0;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec3 edge = hull[(i + 1) % hull.size()] - hull[i];
-    if (glm::length(edge) <= longest * (1.0 + 1e-6)) continue;
-    longest = glm::length(edge);
-    box.u = edge / longest;
-  }
-  if (longest <= 0.0) return box;
-  box.v = glm::cross(up, box.u);
-  box.u0 = box.v0 = 1e300;
-  box.u1 = box.v1 = -1e300;
-  for (const Vec3& p : hull) {
-    box.u0 = std::min(box.u0, glm::dot(box.u, p));
-    box.u1 = std::max(box.u1, glm::dot(box.u, p));
-    box.v0 = std::min(box.v0, glm::dot(box.v, p));
-    box.v1 = std::max(box.v1, glm::dot(box.v, p));
-  }
-  return box;
-}
 
 /// A level or sloping piece: the top of a tread, or its underside.
 struct Tread {
@@ -85,6 +33,7 @@ class StairwellFinder {
     }
     std::stable_sort(treads_.begin(), treads_.end(),
                      [](const Tread& a, const Tread& b) { return a.height_m < b.height_m; });
+    index_leaves();
   }
 
   void run() {
@@ -125,14 +74,12 @@ class StairwellFinder {
       rim_low = std::min(rim_low, glm::dot(space_.up, p));
       rim_high = std::max(rim_high, glm::dot(space_.up, p));
     }
-    for (const std::uint32_t room : {rooms.first, rooms.second}) {
-      for (const std::uint32_t leaf : cutter_.leaves_of(room)) {
-        const Region inside = part_in(box, space_.tree.leaves[leaf]);
-        for (const Facet& facet : inside.facets) {
-          for (const Vec3& p : facet.polygon) {
-            low = std::min(low, glm::dot(space_.up, p));
-            high = std::max(high, glm::dot(space_.up, p));
-          }
+    for (const std::uint32_t leaf : leaves_near(box, rooms)) {
+      const Region inside = box.part_of(space_.tree.leaves[leaf]);
+      for (const Facet& facet : inside.facets) {
+        for (const Vec3& p : facet.polygon) {
+          low = std::min(low, glm::dot(space_.up, p));
+          high = std::max(high, glm::dot(space_.up, p));
         }
       }
     }
@@ -163,15 +110,6 @@ class StairwellFinder {
     return false;
   }
 
-  static Region part_in(const PlanBox& box, const Region& leaf) {
-    if (!box.may_touch(leaf)) return {};
-    Region region = leaf;
-    for (const Plane& side : box.sides()) {
-      region = split_region(region, side, cross_section(region, side)).second;
-    }
-    return region;
-  }
-
   /// A stairwell's room may run through all storeys, and is looked at in each of them.
   double volume_of(std::uint32_t leaf) {
     volumes_m3_.resize(space_.tree.leaves.size(), -1.0);
@@ -180,14 +118,55 @@ class StairwellFinder {
     return m3;
   }
 
-  double share_in(const PlanBox& box, const Rooms& rooms) {
-    double inside = 0.0, whole = 0.0;
-    for (const std::uint32_t room : {rooms.first, rooms.second}) {
-      for (const std::uint32_t leaf : cutter_.leaves_of(room)) {
-        whole += volume_of(leaf);
-        inside += volume_m3(part_in(box, space_.tree.leaves[leaf]));
-      }
+  double volume_in(const PlanBox& box, std::uint32_t leaf) {
+    const Region& region = space_.tree.leaves[leaf];
+    switch (box.position_of(region)) {
+      case PlanBox::Position::outside:
+        return 0.0;
+      case PlanBox::Position::inside:
+        return volume_of(leaf);
+      case PlanBox::Position::across:
+        return volume_m3(box.part_of(region));
     }
+    return 0.0;
+  }
+
+  static Box bounds_of(const Region& leaf) {
+    Box box;
+    for (const Facet& facet : leaf.facets) {
+      for (const Vec3& p : facet.polygon) box.add(p);
+    }
+    return box;
+  }
+
+  void index_leaves() {
+    for (; boxed_ < space_.tree.leaves.size(); ++boxed_)
+      leaf_boxes_.add(bounds_of(space_.tree.leaves[boxed_]));
+  }
+
+  /// The leaves of the rooms that may touch the box, in ascending order. A room may have leaves in
+  /// all of the building: what leaks into it is part of it.
+  std::vector<std::uint32_t> leaves_near(const PlanBox& box, const Rooms& rooms) const {
+    std::vector<std::uint32_t> leaves = leaf_boxes_.touching(box.bounds(space_.up), 0.0);
+    std::erase_if(leaves, [&](std::uint32_t leaf) {
+      const std::uint32_t room = space_.groups.group_of_leaf[leaf];
+      return room != rooms.first && room != rooms.second;
+    });
+    return leaves;
+  }
+
+  double room_volume(std::uint32_t room) {
+    const auto [at, is_new] = room_m3_.try_emplace(room, 0.0);
+    if (is_new) {
+      for (const std::uint32_t leaf : cutter_.leaves_of(room)) at->second += volume_of(leaf);
+    }
+    return at->second;
+  }
+
+  double share_in(const PlanBox& box, const Rooms& rooms) {
+    const double whole = room_volume(rooms.first) + room_volume(rooms.second);
+    double inside = 0.0;
+    for (const std::uint32_t leaf : leaves_near(box, rooms)) inside += volume_in(box, leaf);
     return whole > 0.0 ? inside / whole : 0.0;
   }
 
@@ -195,23 +174,25 @@ class StairwellFinder {
     std::array<std::uint32_t, 4> sides{};
     for (std::size_t i = 0; i < 4; ++i) sides[i] = cutter_.number_of(box.sides()[i]);
     const std::uint32_t well = cutter_.new_group(rooms.first);
+    for (const std::uint32_t leaf : leaves_near(box, rooms)) cut_leaf(leaf, box, sides, well);
+    index_leaves();
     for (const std::uint32_t room : {rooms.first, rooms.second}) {
-      const std::vector<std::uint32_t> leaves = cutter_.leaves_of(room);
-      for (const std::uint32_t leaf : leaves) cut_leaf(leaf, box, sides, well);
       take_cut_off_parts(room, well);
+      room_m3_.erase(room);
     }
   }
 
   void cut_leaf(std::uint32_t leaf, const PlanBox& box, const std::array<std::uint32_t, 4>& sides,
                 std::uint32_t well) {
     const double whole = volume_of(leaf);
-    if (volume_m3(part_in(box, space_.tree.leaves[leaf])) <= 1e-6 * whole) return;
+    if (volume_in(box, leaf) <= 1e-6 * whole) return;
     for (const std::uint32_t side : sides) {
       const Plane plane = space_.planes.planes[side];
       // A plane of the scene's pieces may face the other way than the side does.
       const LeafCutter::Split halves = cutter_.cut(leaf, side);
       if (!halves.cut) continue;
-      volumes_m3_[leaf] = -1.0;  // the part behind keeps the number
+      // The part behind keeps the number; a part in front is new, and has no volume yet.
+      if (leaf < volumes_m3_.size()) volumes_m3_[leaf] = -1.0;
       leaf = keeps_inside(plane, box) ? halves.behind : halves.front;
     }
     cutter_.assign(leaf, well);
@@ -266,6 +247,9 @@ class StairwellFinder {
   StairwellConfig config_;
   std::vector<Tread> treads_;       ///< from the lowest up
   std::vector<double> volumes_m3_;  ///< by leaf; below 0 until it is asked for
+  std::map<std::uint32_t, double> room_m3_;
+  BoxTree leaf_boxes_;     ///< by leaf; what is cut off later may be smaller than its box
+  std::size_t boxed_ = 0;  ///< leaves in the tree
 };
 
 }  // namespace
