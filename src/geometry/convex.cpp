@@ -91,6 +91,14 @@ const Facet* largest_on_border(const Region& part, const Region& whole) {
   return largest;
 }
 
+DistanceRange distances(const Region& region, const Plane& plane) {
+  DistanceRange range;
+  for (const Facet& facet : region.facets) {
+    for (const Vec3& p : facet.polygon) range.add(plane.signed_distance(p));
+  }
+  return range;
+}
+
 double volume_m3(const Region& region) {
   if (region.facets.empty()) return 0.0;
   const Vec3 origin = region.facets[0].polygon[0];

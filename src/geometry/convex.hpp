@@ -44,6 +44,9 @@ std::pair<Region, Region> split_region(const Region& region, const Plane& plane,
 /// does.
 const Facet* largest_on_border(const Region& part, const Region& whole);
 
+/// Returns the range of the corners' distances from the plane.
+DistanceRange distances(const Region& region, const Plane& plane);
+
 double volume_m3(const Region& region);
 Box bounds(const Region& region);
 

@@ -81,7 +81,7 @@ struct PlanWeights {
   double tolerance_order = 3.0;
   /// Links are fine enough where their error is below fine_share of the target; a tightening aims
   /// at aim_share.
-  double fine_share = 0.9, aim_share = 0.8;
+  double fine_share = 0.95, aim_share = 0.8;
   /// Bounds of the factor by which one step tightens the tolerance.
   double most_tightening = 1.0 / 32.0, least_tightening = 0.7;
   /// The number of links grows with the tolerance to the power of -1 / link_order (measured: 1.3 to

@@ -10,48 +10,68 @@
 namespace enfilade {
 namespace {
 
+/// A part of an aperture: an opening of an interface, or the section of a leaf across the plane.
 struct Opening {
-  const Polygon* polygon;
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+  Polygon polygon;
   Box box;
-  std::uint32_t interface;
+  std::uint32_t front_leaf, back_leaf;
+  std::uint32_t interface = none;
   Vec3 n;  ///< by the polygon's own order of vertices
 };
 
-/// The openings of one cut, joined by union-find into apertures.
+/// The openings of one plane, joined by union-find into apertures.
 class Apertures {
  public:
-  Apertures(std::span<LeafInterface> faces, const BspCut& cut,
-            const std::vector<std::vector<std::uint32_t>>& neighbours, double tolerance_m)
-      : faces_(faces), cut_(cut), neighbours_(neighbours), reach_m_(4.0 * tolerance_m) {
-    for (std::uint32_t i = 0; i < faces.size(); ++i) {
-      for (const Polygon& p : faces[i].openings) {
-        openings_.push_back({&p, bounds(p), i, normal(p)});
-        opening_tree_.add(openings_.back().box);
-      }
-    }
-    for (const InPlane& c : cut.covered_by) {
-      cover_normals_.push_back(normal(c.polygon));
-      cover_tree_.add(c.box);
-    }
-    parent_.resize(openings_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+  Apertures(const std::vector<std::vector<std::uint32_t>>& neighbours, const BspTree& tree,
+            const Vec3& n, double tolerance_m)
+      : neighbours_(neighbours), tree_(tree), n_(n), reach_m_(4.0 * tolerance_m) {}
+
+  void add_opening(const Polygon& p, const LeafInterface& face, std::uint32_t number) {
+    add({p, bounds(p), face.front_leaf, face.back_leaf, number, normal(p)});
+  }
+  void add_section(Polygon p, std::uint32_t leaf) {
+    const Box box = bounds(p);
+    const Vec3 n = normal(p);
+    add({std::move(p), box, leaf, leaf, Opening::none, n});
+  }
+  void add_cover(const InPlane& cover) {
+    covers_.push_back(&cover.polygon);
+    cover_normals_.push_back(normal(cover.polygon));
+    cover_tree_.add(cover.box);
   }
 
   void measure() {
+    parent_.resize(openings_.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
     connect();
-    std::vector<double> rim(openings_.size(), 0.0), framed(openings_.size(), 0.0);
-    for (std::uint32_t i = 0; i < openings_.size(); ++i) walk_rim(i, rim, framed);
+    rim_m_.assign(openings_.size(), 0.0);
+    framed_m_.assign(openings_.size(), 0.0);
+    std::vector<char> near_cover(openings_.size(), 0);
+    const auto any = [](std::uint32_t) { return true; };
     for (std::uint32_t i = 0; i < openings_.size(); ++i) {
-      const std::uint32_t whole = find(i);
-      if (rim[whole] <= 0.0) continue;
-      faces_[openings_[i].interface].framed_m2 +=
-          area_m2(*openings_[i].polygon) * framed[whole] / rim[whole];
+      char& near = near_cover[find(i)];
+      near = near || cover_tree_.any_touching(openings_[i].box, 2.0 * reach_m_, any);
+    }
+    for (std::uint32_t i = 0; i < openings_.size(); ++i) {
+      if (near_cover[find(i)]) walk_rim(i);
     }
   }
 
+  const std::vector<Opening>& openings() const { return openings_; }
+  /// The share of the rim of an opening's aperture that is framed.
+  double framed_share(std::uint32_t opening) const {
+    const std::uint32_t whole = find(opening);
+    return rim_m_[whole] > 0.0 ? framed_m_[whole] / rim_m_[whole] : 0.0;
+  }
+
  private:
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+  void add(Opening opening) {
+    opening_tree_.add(opening.box);
+    openings_.push_back(std::move(opening));
+  }
+  std::uint32_t find(std::uint32_t i) const {
+    while (parent_[i] != i) i = parent_[i];
     return i;
   }
   bool joined(std::uint32_t a, std::uint32_t b) const {
@@ -59,32 +79,49 @@ class Apertures {
   }
   void connect() {
     for (std::uint32_t i = 0; i < openings_.size(); ++i) {
-      for (const std::uint32_t j : opening_tree_.touching(openings_[i].box, reach_m_)) {
+      const Opening& a = openings_[i];
+      for (const std::uint32_t j : opening_tree_.touching(a.box, reach_m_)) {
         if (j <= i) continue;
-        const LeafInterface& a = faces_[openings_[i].interface];
-        const LeafInterface& b = faces_[openings_[j].interface];
+        const Opening& b = openings_[j];
         if (joined(a.front_leaf, b.front_leaf) && joined(a.back_leaf, b.back_leaf)) {
-          parent_[find(i)] = find(j);
+          const std::uint32_t root = find(i), other = find(j);
+          parent_[std::max(root, other)] = std::min(root, other);
         }
       }
     }
   }
-  bool is_open(const Vec3& p) const {
+  /// Whether p lies in the aperture. An opening beyond a wall that stands on the plane does not
+  /// count.
+  bool is_open(const Vec3& p, std::uint32_t whole) const {
     return opening_tree_.any_touching({p, p}, 0.1 * reach_m_, [&](std::uint32_t i) {
-      return contains(*openings_[i].polygon, openings_[i].n, p);
+      return find(i) == whole && contains(openings_[i].polygon, openings_[i].n, p);
     });
   }
   bool is_covered(const Vec3& p) const {
     return cover_tree_.any_touching({p, p}, reach_m_, [&](std::uint32_t k) {
-      return contains(cut_.covered_by[k].polygon, cover_normals_[k], p);
+      return contains(*covers_[k], cover_normals_[k], p);
     });
   }
-  /// Tests points just beyond the opening's rim: each is open again, covered, or neither. Adds the
-  /// rim's length that is not open to `rim`, of that the length that is covered to `framed`.
-  void walk_rim(std::uint32_t i, std::vector<double>& rim, std::vector<double>& framed) {
+  /// True where a polygon at p, beside the opening, borders on what lies before or behind the
+  /// opening: a wall, and not a joint within a floor.
+  bool is_frame(const Vec3& p, const Opening& opening) const {
+    if (!is_covered(p)) return false;
+    return joined(leaf_at(p + reach_m_ * n_), opening.front_leaf) ||
+           joined(leaf_at(p - reach_m_ * n_), opening.back_leaf);
+  }
+  std::uint32_t leaf_at(const Vec3& p) const {
+    const BspNode* node = &tree_.nodes.front();
+    while (node->front >= 0) {
+      const bool in_front = node->plane.signed_distance(p) >= 0.0;
+      node = &tree_.nodes[static_cast<std::size_t>(in_front ? node->front : node->back)];
+    }
+    return node->cell.value;
+  }
+  /// Tests points just beyond the opening's rim: each is open again, a frame, or neither.
+  void walk_rim(std::uint32_t i) {
     const Opening& o = openings_[i];
     const std::uint32_t whole = find(i);
-    const Polygon& p = *o.polygon;
+    const Polygon& p = o.polygon;
     for (std::size_t e = 0; e < p.size(); ++e) {
       const Vec3 a = p[e], along = p[(e + 1) % p.size()] - a;
       const double length = glm::length(along);
@@ -93,39 +130,105 @@ class Apertures {
       constexpr int steps = 8;  // points tested along an edge
       for (int k = 0; k < steps; ++k) {
         const Vec3 q = a + (k + 0.5) / steps * along + out;
-        if (is_open(q)) continue;
-        rim[whole] += length / steps;
-        if (is_covered(q)) framed[whole] += length / steps;
+        if (is_open(q, whole)) continue;
+        rim_m_[whole] += length / steps;
+        if (is_frame(q, o)) framed_m_[whole] += length / steps;
       }
     }
   }
 
-  std::span<LeafInterface> faces_;
-  const BspCut& cut_;
   const std::vector<std::vector<std::uint32_t>>& neighbours_;
+  const BspTree& tree_;
+  Vec3 n_;  ///< of the plane
   double reach_m_;
   std::vector<Opening> openings_;
+  std::vector<const Polygon*> covers_;
   std::vector<Vec3> cover_normals_;
   BoxTree opening_tree_, cover_tree_;
   std::vector<std::uint32_t> parent_;
+  std::vector<double> rim_m_, framed_m_;  ///< by the first opening of an aperture: length that is
+                                          ///< not open again, and of that what is covered
 };
 
-}  // namespace
-
-void frame_apertures(std::span<LeafInterface> interfaces, const BspTree& tree, double tolerance_m) {
-  std::vector<std::vector<std::uint32_t>> neighbours(tree.leaves.size());
+/// The leaves that are open to each leaf over at least half of their common face, ascending.
+std::vector<std::vector<std::uint32_t>> open_neighbours(std::span<const LeafInterface> interfaces,
+                                                        std::size_t leaves) {
+  std::vector<std::vector<std::uint32_t>> neighbours(leaves);
   for (const LeafInterface& face : interfaces) {
     if (face.open_m2 < 0.5 * face.area_m2) continue;
     neighbours[face.front_leaf].push_back(face.back_leaf);
     neighbours[face.back_leaf].push_back(face.front_leaf);
   }
   for (auto& list : neighbours) std::sort(list.begin(), list.end());
-  for (std::size_t begin = 0, end = 0; begin < interfaces.size(); begin = end) {
-    while (end < interfaces.size() && interfaces[end].cut == interfaces[begin].cut) ++end;
-    Apertures(interfaces.subspan(begin, end - begin), tree.cuts[interfaces[begin].cut], neighbours,
-              tolerance_m)
-        .measure();
+  return neighbours;
+}
+
+/// What lies in each plane.
+struct ByPlane {
+  std::vector<std::uint32_t> interfaces;
+  std::vector<const InPlane*> covers;
+  Box bounds;  ///< of the covers
+};
+
+std::vector<ByPlane> sort_by_plane(std::span<const LeafInterface> interfaces, const BspTree& tree,
+                                   std::size_t planes) {
+  std::vector<ByPlane> sorted(planes);
+  for (std::uint32_t i = 0; i < interfaces.size(); ++i) {
+    if (!interfaces[i].openings.empty()) sorted[interfaces[i].plane].interfaces.push_back(i);
   }
+  for (const BspCut& cut : tree.cuts) {
+    for (const InPlane& cover : cut.covered_by) {
+      sorted[cut.plane].covers.push_back(&cover);
+      sorted[cut.plane].bounds.add(cover.box);
+    }
+  }
+  return sorted;
+}
+
+/// Adds the sections of the leaves across the plane, as far as the polygons in the plane reach.
+void add_sections(Apertures& apertures, const BoxTree& leaves, const BspTree& tree,
+                  const Plane& plane, const Box& bounds, double tolerance_m) {
+  for (const std::uint32_t leaf : leaves.touching(bounds, 0.0)) {
+    const DistanceRange range = distances(tree.leaves[leaf], plane);
+    if (range.highest <= tolerance_m || range.lowest >= -tolerance_m) continue;
+    Polygon section = cross_section(tree.leaves[leaf], plane);
+    if (section.size() >= 3 && area_m2(section) > tolerance_m * tolerance_m)
+      apertures.add_section(std::move(section), leaf);
+  }
+}
+
+}  // namespace
+
+std::vector<LeafAcross> frame_apertures(std::span<LeafInterface> interfaces, const BspTree& tree,
+                                        const PlaneSet& planes, const ApertureConfig& config) {
+  const auto neighbours = open_neighbours(interfaces, tree.leaves.size());
+  const std::vector<ByPlane> by_plane = sort_by_plane(interfaces, tree, planes.planes.size());
+  BoxTree leaves;
+  for (const Region& leaf : tree.leaves) leaves.add(bounds(leaf));
+  std::vector<LeafAcross> across;
+  for (std::uint32_t number = 0; number < by_plane.size(); ++number) {
+    const ByPlane& here = by_plane[number];
+    if (here.covers.empty()) continue;
+    const Plane& plane = planes.planes[number];
+    Apertures apertures(neighbours, tree, plane.n, config.tolerance_m);
+    for (const std::uint32_t i : here.interfaces) {
+      for (const Polygon& p : interfaces[i].openings) apertures.add_opening(p, interfaces[i], i);
+    }
+    for (const InPlane* cover : here.covers) apertures.add_cover(*cover);
+    if (std::abs(glm::dot(plane.n, config.up)) < config.upright)
+      add_sections(apertures, leaves, tree, plane, here.bounds, config.tolerance_m);
+    apertures.measure();
+    for (std::uint32_t i = 0; i < apertures.openings().size(); ++i) {
+      const Opening& opening = apertures.openings()[i];
+      const double share = apertures.framed_share(i);
+      if (opening.interface != Opening::none) {
+        interfaces[opening.interface].framed_m2 += share * area_m2(opening.polygon);
+      } else if (share >= config.door_share) {
+        across.push_back({opening.front_leaf, number});
+      }
+    }
+  }
+  return across;
 }
 
 }  // namespace enfilade

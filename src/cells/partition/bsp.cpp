@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace enfilade {
@@ -159,6 +160,41 @@ BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region 
     tree.nodes.resize(tree.nodes.size() + 2);
   }
   return tree;
+}
+
+void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet& planes,
+                double tolerance_m) {
+  std::vector<std::int32_t> node_of_leaf(tree.leaves.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const BspNode& node = tree.nodes[i];
+    if (node.front < 0) node_of_leaf[node.cell.index()] = static_cast<std::int32_t>(i);
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // of leaves that were cut
+  for (const LeafAcross& cut : cuts) {
+    std::vector<std::uint32_t>& parts = parts_of.try_emplace(cut.leaf, 1, cut.leaf).first->second;
+    const Plane& plane = planes.planes[cut.plane];
+    for (std::size_t i = 0, count = parts.size(); i < count; ++i) {
+      const std::uint32_t leaf = parts[i];
+      const DistanceRange range = distances(tree.leaves[leaf], plane);
+      if (range.highest <= tolerance_m || range.lowest >= -tolerance_m) continue;
+      Polygon section = cross_section(tree.leaves[leaf], plane);
+      if (section.size() < 3) continue;
+      const auto added = static_cast<std::uint32_t>(tree.leaves.size());
+      auto [front, behind] = split_region(tree.leaves[leaf], plane, section);
+      tree.leaves[leaf] = std::move(behind);
+      tree.leaves.push_back(std::move(front));
+      const std::int32_t at = node_of_leaf[leaf];
+      const auto child = static_cast<std::int32_t>(tree.nodes.size());
+      tree.nodes.resize(tree.nodes.size() + 2);
+      tree.nodes[static_cast<std::size_t>(at)] = {plane, child, child + 1, CellId()};
+      tree.nodes[static_cast<std::size_t>(child)].cell = CellId(added);
+      tree.nodes[static_cast<std::size_t>(child) + 1].cell = CellId(leaf);
+      node_of_leaf.push_back(child);
+      node_of_leaf[leaf] = child + 1;
+      tree.cuts.push_back({at, cut.plane, std::move(section), {}});
+      parts.push_back(added);
+    }
+  }
 }
 
 }  // namespace enfilade

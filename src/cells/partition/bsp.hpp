@@ -37,4 +37,14 @@ struct BspTree {
 BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region region,
                   const CellComplex::Config& config, double tolerance_m);
 
+/// A leaf that a plane of the set runs through.
+struct LeafAcross {
+  std::uint32_t leaf = 0, plane = 0;
+};
+
+/// Cuts leaves by planes that run through them by more than the tolerance; a leaf may be cut by
+/// several. The part behind a plane keeps the leaf's number.
+void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet& planes,
+                double tolerance_m);
+
 }  // namespace enfilade

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cells/merging/leaf_merge.hpp"
 #include "cells/partition/apertures.hpp"
 #include "cells/partition/bsp.hpp"
 #include "cells/partition/cell_complex.hpp"
 #include "cells/partition/interface.hpp"
-#include "cells/partition/leaf_merge.hpp"
 #include "cells/partition/plane_set.hpp"
 #include "cells/partition/portal_build.hpp"
 #include "cells/rooms/build_cells.hpp"
@@ -72,6 +72,7 @@ struct Partition {
   LeafGroups groups;
 };
 
+const Vec3 up_axis(1, 0, 0);                // the own frame's first axis
 constexpr double max_tolerance_m = 2e-3;    // see CellComplex::Config::tolerance_relative
 constexpr double outside_margin = 1e-3;     // of the diagonal: the layer of outside all around
 constexpr double sliver_tolerances = 0.01;  // openings thinner than that are rounding
@@ -92,11 +93,19 @@ Partition partition(std::vector<Piece> pieces, const CellComplex::Config& config
   made.outer_box = box_region(points, axes, outside_margin * diagonal);
   made.tree = build_bsp(pieces, made.planes, made.outer_box, config, made.tolerance_m);
   made.interfaces = find_interfaces(made.tree, sliver_tolerances * made.tolerance_m);
-  frame_apertures(made.interfaces, made.tree, made.tolerance_m);
+  const MergeConfig merging;
+  ApertureConfig apertures{up_axis, made.tolerance_m, merging.framed_share};
+  const auto across = frame_apertures(made.interfaces, made.tree, made.planes, apertures);
+  if (!across.empty()) {
+    cut_leaves(made.tree, across, made.planes, made.tolerance_m);
+    made.interfaces = find_interfaces(made.tree, sliver_tolerances * made.tolerance_m);
+    apertures.upright = 0.0;  // no leaf lies across a door any more
+    frame_apertures(made.interfaces, made.tree, made.planes, apertures);
+  }
   std::vector<double> volumes;
   for (const Region& leaf : made.tree.leaves) volumes.push_back(volume_m3(leaf));
   made.groups = merge_leaves(volumes, find_touching(made.tree.leaves, made.outer_box),
-                             made.interfaces, MergeConfig{});
+                             made.interfaces, merging);
   made.pieces = std::move(pieces);
   return made;
 }
@@ -139,8 +148,7 @@ CellComplex build(std::span<const Piece> given, const CellComplex::Config& confi
   const OwnFrame own(given, box.center());
   Partition made = partition(own.in(given), config);
   auto& [pieces, tolerance_m, planes, inner_box, outer_box, tree, interfaces, groups] = made;
-  const Vec3 up(1, 0, 0);  // the own frame's first axis
-  CutSpace space{pieces, planes, tree, interfaces, groups, up, tolerance_m};
+  CutSpace space{pieces, planes, tree, interfaces, groups, up_axis, tolerance_m};
   LeafCutter cutter(space);
   cut_at_steps(space, cutter, StepConfig{});
   cut_stairwells(space, cutter, StairwellConfig{});

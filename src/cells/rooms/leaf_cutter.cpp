@@ -5,17 +5,7 @@
 #include <cmath>
 
 namespace enfilade {
-namespace {
-
-DistanceRange distances_of(const Region& region, const Plane& plane) {
-  DistanceRange range;
-  for (const Facet& facet : region.facets) {
-    for (const Vec3& p : facet.polygon) range.add(plane.signed_distance(p));
-  }
-  return range;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 LeafCutter::LeafCutter(CutSpace& space)
     : space_(space),
@@ -78,7 +68,7 @@ std::uint32_t LeafCutter::new_group(std::uint32_t like) {
 LeafCutter::Split LeafCutter::cut(std::uint32_t leaf, std::uint32_t plane_number) {
   BspTree& tree = space_.tree;
   const Plane plane = space_.planes.planes[plane_number];
-  const DistanceRange range = distances_of(tree.leaves[leaf], plane);
+  const DistanceRange range = distances(tree.leaves[leaf], plane);
   if (range.highest <= space_.tolerance_m) return {false, leaf, leaf};
   if (range.lowest >= -space_.tolerance_m) return {false, leaf, leaf};
   BspCut made{node_of_leaf_[leaf], plane_number, cross_section(tree.leaves[leaf], plane), {}};

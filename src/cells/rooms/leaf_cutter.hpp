@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "cells/merging/leaf_merge.hpp"
 #include "cells/partition/bsp.hpp"
 #include "cells/partition/interface.hpp"
-#include "cells/partition/leaf_merge.hpp"
 #include "cells/partition/plane_set.hpp"
 
 namespace enfilade {

@@ -131,17 +131,9 @@ class StairwellFinder {
     return 0.0;
   }
 
-  static Box bounds_of(const Region& leaf) {
-    Box box;
-    for (const Facet& facet : leaf.facets) {
-      for (const Vec3& p : facet.polygon) box.add(p);
-    }
-    return box;
-  }
-
   void index_leaves() {
     for (; boxed_ < space_.tree.leaves.size(); ++boxed_)
-      leaf_boxes_.add(bounds_of(space_.tree.leaves[boxed_]));
+      leaf_boxes_.add(bounds(space_.tree.leaves[boxed_]));
   }
 
   /// The leaves of the rooms that may touch the box, in ascending order. A room may have leaves in

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "cells/merging/room_kinds.hpp"
 #include "cells/partition/interface.hpp"
-#include "cells/partition/room_kinds.hpp"
 
 namespace enfilade {
 

@@ -1,5 +1,5 @@
 // Merging, the best first: rooms first, then the outside, then the thin and the solid groups.
-#include "cells/partition/leaf_merge.hpp"
+#include "cells/merging/leaf_merge.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-#include "cells/partition/merge_candidates.hpp"
+#include "cells/merging/merge_candidates.hpp"
 
 namespace enfilade {
 namespace {

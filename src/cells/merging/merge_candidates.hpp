@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "cells/partition/leaf_graph.hpp"
-#include "cells/partition/leaf_merge.hpp"
+#include "cells/merging/leaf_graph.hpp"
+#include "cells/merging/leaf_merge.hpp"
 
 namespace enfilade {
 
@@ -57,7 +57,9 @@ class MergeCandidates {
   void mark_joined(std::uint32_t group);
 
  private:
+  bool is_thin(const LeafGroup& g) const;
   bool is_connector(const LeafGroup& g) const;
+  bool connects_to(const LeafGroup& g, std::uint32_t other) const;
   double room_score(std::uint32_t a, std::uint32_t b) const;
   double room_score(double open, double framed, double g_face, double h_face, const LeafGroup& g,
                     const LeafGroup& h) const;

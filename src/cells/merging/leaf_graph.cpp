@@ -1,5 +1,5 @@
 // Joining groups: measures are added, contacts are moved to the group that stays.
-#include "cells/partition/leaf_graph.hpp"
+#include "cells/merging/leaf_graph.hpp"
 
 #include <algorithm>
 #include <numeric>

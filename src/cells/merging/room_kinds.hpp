@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cells/partition/leaf_graph.hpp"
+#include "cells/merging/leaf_graph.hpp"
 
 namespace enfilade {
 

@@ -1,4 +1,4 @@
-#include "cells/partition/merge_candidates.hpp"
+#include "cells/merging/merge_candidates.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -93,12 +93,25 @@ void MergeCandidates::mark_joined(std::uint32_t group) {
   changed_at_[group] = ++joins_;
   if (group == LeafGraph::outside) return;  // which joins no room
   changed_.push_back(group);
-  thin_[group] = is_connector(graph_[group]);
+  thin_[group] = is_thin(graph_[group]);
 }
 
 // The depth of a thin group is its volume over its opening.
-bool MergeCandidates::is_connector(const LeafGroup& g) const {
+bool MergeCandidates::is_thin(const LeafGroup& g) const {
   return g.opens_over(std::pow(g.volume / config_.connector_depth, 2.0 / 3.0));
+}
+
+// A cavity that has many small openings, to different groups, is thin but no connector of any.
+bool MergeCandidates::connects_to(const LeafGroup& g, std::uint32_t other) const {
+  const double least_m2 = std::pow(g.volume / config_.connector_depth, 2.0 / 3.0);
+  if (g.opening_bound_m2 <= least_m2) return false;
+  return g.open_to(other) > least_m2;
+}
+
+bool MergeCandidates::is_connector(const LeafGroup& g) const {
+  return is_thin(g) && std::any_of(g.contacts.begin(), g.contacts.end(), [&](const auto& contact) {
+           return connects_to(g, contact.first);
+         });
 }
 
 // How much two touching groups are one room: 0 where they are not.
@@ -145,7 +158,7 @@ std::vector<std::uint32_t> MergeCandidates::take_stale() {
   changed_.clear();
   std::sort(stale.begin(), stale.end());
   stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
-  for (const std::uint32_t i : stale) thin_[i] = is_connector(graph_[i]);
+  for (const std::uint32_t i : stale) thin_[i] = is_thin(graph_[i]);
   return stale;
 }
 
@@ -180,6 +193,8 @@ std::optional<MergeCandidate> MergeCandidates::room_across(std::uint32_t a, std:
   const OpenSide to_g(graph_, between, a), to_h(graph_, between, b);
   if (to_g.open <= 0.0 || to_h.open <= 0.0) return {};
   const double open = std::min(to_g.open, to_h.open);
+  // A cavity that runs all through a wall is not between the two.
+  if (between.volume >= config_.connector_depth * open * std::sqrt(open)) return {};
   const double framed = 0.5 * open * (to_g.framed / to_g.open + to_h.framed / to_h.open);
   const double score = room_score(open, framed, to_g.face, to_h.face, g, h);
   if (score <= 0.0) return {};
@@ -196,10 +211,10 @@ std::optional<MergeCandidate> MergeCandidates::outside_of(std::uint32_t g) const
 
 // A thin group goes to the group that it is more open to, to a room before the outside.
 std::optional<MergeCandidate> MergeCandidates::neighbour_of_connector(std::uint32_t i) const {
-  if (!is_connector(graph_[i])) return {};
+  if (!is_thin(graph_[i])) return {};
   MergeCandidate best{0.0, i, i, MergeCandidate::no_group, joins_};
   for (const auto& [j, sides] : graph_[i].contacts) {
-    if (disagree(graph_[i], graph_[j])) continue;
+    if (disagree(graph_[i], graph_[j]) || !connects_to(graph_[i], j)) continue;
     const double open = graph_[i].open_to(j);
     const double score = j == LeafGraph::outside ? open * (1.0 - outside_handicap) : open;
     if (score <= best.score * (1.0 + opening_rounding)) continue;

@@ -1,4 +1,4 @@
-#include "cells/partition/room_kinds.hpp"
+#include "cells/merging/room_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cells/partition/leaf_merge.hpp"
+#include "cells/merging/leaf_merge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,31 @@ TEST(LeafMerge, WallsThatLeakIntoARoomTakeNoOtherRoomAlong) {
   EXPECT_EQ(groups.kinds[groups.group_of_leaf[0]], CellKind::room);
   EXPECT_EQ(groups.kinds[groups.group_of_leaf[1]], CellKind::room);
   EXPECT_EQ(groups.kinds[groups.group_of_leaf[3]], CellKind::outside);
+}
+
+TEST(LeafMerge, ACavityIsNotBetweenARoomAndANook) {
+  // The room 0 and the nook 1 are open to a cavity 2 in the walls, which is half open to 3.
+  const double volumes[] = {50.0, 0.3, 5.0, 200.0, 5000.0};
+  const char touches_outside[] = {0, 0, 0, 0, 1};
+  const std::vector<LeafInterface> faces{
+      wall(0, 2, 0, 0.6, 0.5, true), wall(1, 2, 1, 0.5, 0.5, true), wall(2, 3, 2, 60.0, 25.0, true),
+      wall(0, 4, 3, 80.0, 0.0, true), wall(3, 4, 4, 80.0, 0.0, true)};
+  const LeafGroups groups = merge_leaves(volumes, touches_outside, faces, MergeConfig{});
+  EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[1]);
+  EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[2]);
+}
+
+TEST(LeafMerge, ACavityIsNoConnectorOfWhatItHardlyOpensTo) {
+  // The cavity 1 is wide open to the solid 2 alone; it leaks into the room 0, and to the outside 3.
+  const double volumes[] = {50.0, 57.0, 60.0, 5000.0};
+  const char touches_outside[] = {0, 0, 0, 1};
+  const std::vector<LeafInterface> faces{
+      wall(0, 1, 0, 20.0, 1.5, true), wall(1, 2, 1, 50.0, 49.0, true),
+      wall(1, 3, 2, 10.0, 1.0, true), wall(0, 3, 3, 80.0, 0.0, true),
+      wall(3, 2, 4, 80.0, 0.0, false)};
+  const LeafGroups groups = merge_leaves(volumes, touches_outside, faces, MergeConfig{});
+  EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[1]);
+  EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[3]);
 }
 
 }  // namespace
