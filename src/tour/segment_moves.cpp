@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <deque>
+#include <utility>
 
 #include "base/random.hpp"
 
@@ -12,7 +13,8 @@ namespace enfilade {
 
 namespace {
 
-/// The tour as an array; offsets count cyclically from a chosen place.
+/// The tour as an array; offsets count cyclically from a chosen place. Changes since remember() can
+/// be taken back, in a time that follows the changes and not the tour.
 class TourArray {
  public:
   explicit TourArray(std::vector<std::uint32_t> tour) : tour_(std::move(tour)), at_(tour_.size()) {
@@ -53,12 +55,31 @@ class TourArray {
     }
   }
 
+  void remember() {
+    remembers_ = true;
+    changes_.clear();
+  }
+  void take_back() {
+    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
+      tour_[change->index] = change->before;
+      at_[change->before] = change->index;
+    }
+    changes_.clear();
+  }
+
  private:
+  struct Change {
+    std::uint32_t index, before;
+  };
   void put(std::size_t index, std::uint32_t x) {
-    tour_[index] = x;
-    at_[x] = static_cast<std::uint32_t>(index);
+    const auto i = static_cast<std::uint32_t>(index);
+    if (remembers_) changes_.push_back({i, tour_[i]});
+    tour_[i] = x;
+    at_[x] = i;
   }
   std::vector<std::uint32_t> tour_, at_, buffer_;
+  bool remembers_ = false;
+  std::vector<Change> changes_;
 };
 
 /// A cache of OVG's edges: the moves price the same edges again and again.
@@ -216,6 +237,7 @@ class Improver {
   /// The way on from x has changed.
   void refresh(std::uint32_t x) {
     total_ -= edge_[x];
+    if (kicking_) old_edges_.emplace_back(x, edge_[x]);
     edge_[x] = price(x, tour_.after(x));
     total_ += edge_[x];
     push(x);
@@ -227,8 +249,9 @@ class Improver {
   void kick(Random& random) {
     const std::size_t n = tour_.size();
     if (n < 8) return;
-    const TourArray old_tour = tour_;
-    const std::vector<std::uint64_t> old_edge = edge_;
+    tour_.remember();
+    kicking_ = true;
+    old_edges_.clear();
     const std::uint64_t old_total = total_;
     const std::uint32_t a = static_cast<std::uint32_t>(random.below(n));
     const std::uint64_t longest = std::min<std::uint64_t>(50, (n - 2) / 2);
@@ -238,8 +261,9 @@ class Improver {
     for (std::uint32_t x : {a, c, e}) refresh(x);
     settle();
     if (total_ <= old_total) return;
-    tour_ = old_tour;
-    edge_ = old_edge;
+    tour_.take_back();
+    for (auto edge = old_edges_.rbegin(); edge != old_edges_.rend(); ++edge)
+      edge_[edge->first] = edge->second;
     total_ = old_total;
   }
 
@@ -249,6 +273,8 @@ class Improver {
   SegmentMoveConfig config_;
   std::uint64_t budget_, tried_ = 0, total_ = 0;
   std::vector<std::uint64_t> edge_;  ///< cost of going on from each place
+  bool kicking_ = false;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> old_edges_;  ///< since the last kick began
   std::deque<std::uint32_t> queue_;
   std::vector<bool> queued_;
 };
