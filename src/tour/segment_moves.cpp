@@ -237,7 +237,7 @@ class Improver {
   /// The way on from x has changed.
   void refresh(std::uint32_t x) {
     total_ -= edge_[x];
-    if (kicking_) old_edges_.emplace_back(x, edge_[x]);
+    if (remembers_) old_edges_.emplace_back(x, edge_[x]);
     edge_[x] = price(x, tour_.after(x));
     total_ += edge_[x];
     push(x);
@@ -250,7 +250,7 @@ class Improver {
     const std::size_t n = tour_.size();
     if (n < 8) return;
     tour_.remember();
-    kicking_ = true;
+    remembers_ = true;
     old_edges_.clear();
     const std::uint64_t old_total = total_;
     const std::uint32_t a = static_cast<std::uint32_t>(random.below(n));
@@ -273,7 +273,7 @@ class Improver {
   SegmentMoveConfig config_;
   std::uint64_t budget_, tried_ = 0, total_ = 0;
   std::vector<std::uint64_t> edge_;  ///< cost of going on from each place
-  bool kicking_ = false;
+  bool remembers_ = false;
   std::vector<std::pair<std::uint32_t, std::uint64_t>> old_edges_;  ///< since the last kick began
   std::deque<std::uint32_t> queue_;
   std::vector<bool> queued_;

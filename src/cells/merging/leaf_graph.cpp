@@ -53,13 +53,14 @@ double LeafGroup::open_to(std::uint32_t other) const {
 }
 
 bool LeafGroup::opens_over(double m2) const {
-  if (opening_bound_m2 <= m2) return false;
+  if (opening_is_exact || opening_bound_m2 <= m2) return opening_bound_m2 > m2;
   std::map<PlaneSide, double> by_side;
   for (const auto& [other, sides] : contacts) {
     for (const auto& [side, contact] : sides) by_side[side] += contact.open;
   }
   opening_bound_m2 = 0.0;
   for (const auto& [side, open] : by_side) opening_bound_m2 = std::max(opening_bound_m2, open);
+  opening_is_exact = true;
   return opening_bound_m2 > m2;
 }
 
@@ -128,6 +129,7 @@ void LeafGraph::join_contacts(std::uint32_t g, std::uint32_t h) {
   to.contacts.erase(h);
   from.contacts.erase(g);
   to.faces_m2 = -1.0;
+  to.opening_is_exact = false;
   to.opening_bound_m2 += from.opening_bound_m2;  // a third group's openings stay as they are
   for (const auto& [other, sides] : from.contacts) {
     auto& there = groups_[other].contacts;

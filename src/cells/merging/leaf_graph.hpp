@@ -39,9 +39,10 @@ struct LeafGroup {
   bool opens_over(double m2) const;
 
   mutable double faces_m2 = -1.0;  ///< sum of `faces`; negative: to be found
-  /// No side of a plane has more open than that, m2. It is added up as groups join, and found anew
-  /// where that does not answer a question.
+  /// No side of a plane has more open than that, m2. It is added up as groups join, and found
+  /// exactly where that does not answer a question.
   mutable double opening_bound_m2 = std::numeric_limits<double>::infinity();
+  mutable bool opening_is_exact = false;
 };
 
 /// The groups and their contacts. Group 0 is the outside; leaf i begins as group i + 1.

@@ -1,4 +1,4 @@
-// Merging, the best first: rooms first, then the outside, then the thin and the solid groups.
+// In phases: rooms, the outside, thin groups, solids; within a phase the best candidate first.
 #include "cells/merging/leaf_merge.hpp"
 
 #include <algorithm>
@@ -148,6 +148,7 @@ class Merger {
       queue.pop();
       const bool has_via = c.via != MergeCandidate::no_group;
       if (waits(graph_.find(c.a)) || waits(graph_.find(c.b))) continue;
+      if (has_via && waits(graph_.find(c.via))) continue;
       if (candidates_.has_changed(c)) {
         const auto again = candidates_.judge_again(kind, c);
         if (again) queue.push(*again);

@@ -21,7 +21,8 @@ struct MergeConfig {
   /// An opening with this share of its rim in a wall is a door, even where it is the whole face of
   /// the leaves that were merged so far.
   double framed_share = 0.45;
-  /// In one round of merging a group grows by little more than this share of its volume.
+  /// A group that has grown by more than this share of its volume in a round joins nothing further
+  /// in that round; the outside does.
   double round_growth = 0.01;
   /// A nook joins its room: it is open over nearly all of its face...
   double nook_open_share = 0.85;

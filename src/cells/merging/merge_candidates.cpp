@@ -101,10 +101,9 @@ bool MergeCandidates::is_thin(const LeafGroup& g) const {
   return g.opens_over(std::pow(g.volume / config_.connector_depth, 2.0 / 3.0));
 }
 
-// A cavity that has many small openings, to different groups, is thin but no connector of any.
+// Of a thin group. A cavity that has many small openings, to different groups, connects none.
 bool MergeCandidates::connects_to(const LeafGroup& g, std::uint32_t other) const {
   const double least_m2 = std::pow(g.volume / config_.connector_depth, 2.0 / 3.0);
-  if (g.opening_bound_m2 <= least_m2) return false;
   return g.open_to(other) > least_m2;
 }
 
@@ -168,7 +167,8 @@ void MergeCandidates::add_rooms_of(std::uint32_t i, std::vector<MergeCandidate>&
     if (j > i) {
       if (const auto room = room_of(i, j)) out.push_back(*room);
     }
-    if (thin_[i] && j != LeafGraph::outside && !thin_[j]) sides.push_back(j);
+    if (thin_[i] && j != LeafGraph::outside && !thin_[j] && connects_to(graph_[i], j))
+      sides.push_back(j);
   }
   for (std::size_t k = 0; k < sides.size(); ++k) {
     for (std::size_t l = k + 1; l < sides.size(); ++l) {

@@ -18,7 +18,7 @@ enum class MergeKind {
   rooms,            ///< a wide opening joins them, directly or across a thin group
   open_to_outside,  ///< one is the outside, and the other is open to it over a share of its
                     ///< boundary
-  connectors,       ///< one is thin, and open to the other more than to all others
+  connectors,       ///< one is thin, and open to the other more than to any third
   enclosed_solids,  ///< one is solid and has most of its boundary in the other, a room (furniture)
 };
 

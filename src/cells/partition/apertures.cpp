@@ -89,6 +89,8 @@ class Apertures {
         }
       }
     }
+    // A parent is never above its child, so that one pass leads all to their roots.
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = parent_[parent_[i]];
   }
   /// Whether p lies in the aperture. An opening beyond a wall that stands on the plane does not
   /// count.
@@ -147,7 +149,7 @@ class Apertures {
   BoxTree opening_tree_, cover_tree_;
   std::vector<std::uint32_t> parent_;
   std::vector<double> rim_m_, framed_m_;  ///< by the first opening of an aperture: length that is
-                                          ///< not open again, and of that what is covered
+                                          ///< not open again, and of that what is framed
 };
 
 /// The leaves that are open to each leaf over at least half of their common face, ascending.
@@ -185,10 +187,17 @@ std::vector<ByPlane> sort_by_plane(std::span<const LeafInterface> interfaces, co
   return sorted;
 }
 
+/// Whether a plane runs through a box by more than the tolerance on both sides.
+bool reaches(const Box& box, const Plane& plane, double tolerance_m) {
+  const double half = 0.5 * glm::dot(glm::abs(plane.n), box.extent());
+  return std::abs(plane.signed_distance(box.center())) < half - tolerance_m;
+}
+
 /// Adds the sections of the leaves across the plane, as far as the polygons in the plane reach.
-void add_sections(Apertures& apertures, const BoxTree& leaves, const BspTree& tree,
-                  const Plane& plane, const Box& bounds, double tolerance_m) {
+void add_sections(Apertures& apertures, const BoxTree& leaves, std::span<const Box> boxes,
+                  const BspTree& tree, const Plane& plane, const Box& bounds, double tolerance_m) {
   for (const std::uint32_t leaf : leaves.touching(bounds, 0.0)) {
+    if (!reaches(boxes[leaf], plane, tolerance_m)) continue;
     const DistanceRange range = distances(tree.leaves[leaf], plane);
     if (range.highest <= tolerance_m || range.lowest >= -tolerance_m) continue;
     Polygon section = cross_section(tree.leaves[leaf], plane);
@@ -203,8 +212,10 @@ std::vector<LeafAcross> frame_apertures(std::span<LeafInterface> interfaces, con
                                         const PlaneSet& planes, const ApertureConfig& config) {
   const auto neighbours = open_neighbours(interfaces, tree.leaves.size());
   const std::vector<ByPlane> by_plane = sort_by_plane(interfaces, tree, planes.planes.size());
-  BoxTree leaves;
-  for (const Region& leaf : tree.leaves) leaves.add(bounds(leaf));
+  std::vector<Box> boxes;
+  for (const Region& leaf : tree.leaves) boxes.push_back(bounds(leaf));
+  const BoxTree leaves(boxes);
+  for (LeafInterface& face : interfaces) face.framed_m2 = 0.0;
   std::vector<LeafAcross> across;
   for (std::uint32_t number = 0; number < by_plane.size(); ++number) {
     const ByPlane& here = by_plane[number];
@@ -216,7 +227,7 @@ std::vector<LeafAcross> frame_apertures(std::span<LeafInterface> interfaces, con
     }
     for (const InPlane* cover : here.covers) apertures.add_cover(*cover);
     if (std::abs(glm::dot(plane.n, config.up)) < config.upright)
-      add_sections(apertures, leaves, tree, plane, here.bounds, config.tolerance_m);
+      add_sections(apertures, leaves, boxes, tree, plane, here.bounds, config.tolerance_m);
     apertures.measure();
     for (std::uint32_t i = 0; i < apertures.openings().size(); ++i) {
       const Opening& opening = apertures.openings()[i];

@@ -162,8 +162,16 @@ BspTree build_bsp(std::span<const Piece> pieces, const PlaneSet& planes, Region 
   return tree;
 }
 
-void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet& planes,
-                double tolerance_m) {
+void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, std::span<const Piece> pieces,
+                const PlaneSet& planes, double tolerance_m) {
+  std::map<std::uint32_t, std::vector<InPlane>> pieces_in;  // planes that cut
+  for (const LeafAcross& cut : cuts) pieces_in.try_emplace(cut.plane);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto at = pieces_in.find(planes.plane_of_piece[i]);
+    if (at == pieces_in.end()) continue;
+    const Polygon& polygon = pieces[i].polygon;
+    at->second.push_back({polygon, bounds(polygon), planes.same_facing[i] != 0});
+  }
   std::vector<std::int32_t> node_of_leaf(tree.leaves.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const BspNode& node = tree.nodes[i];
@@ -178,7 +186,11 @@ void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet&
       const DistanceRange range = distances(tree.leaves[leaf], plane);
       if (range.highest <= tolerance_m || range.lowest >= -tolerance_m) continue;
       Polygon section = cross_section(tree.leaves[leaf], plane);
-      if (section.size() < 3) continue;
+      if (section.size() < 3 || area_m2(section) <= tolerance_m * tolerance_m) continue;
+      std::vector<InPlane> covers;
+      for (const InPlane& piece : pieces_in.at(cut.plane)) {
+        if (piece.box.overlaps(bounds(section), tolerance_m)) covers.push_back(piece);
+      }
       const auto added = static_cast<std::uint32_t>(tree.leaves.size());
       auto [front, behind] = split_region(tree.leaves[leaf], plane, section);
       tree.leaves[leaf] = std::move(behind);
@@ -191,7 +203,7 @@ void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet&
       tree.nodes[static_cast<std::size_t>(child) + 1].cell = CellId(leaf);
       node_of_leaf.push_back(child);
       node_of_leaf[leaf] = child + 1;
-      tree.cuts.push_back({at, cut.plane, std::move(section), {}});
+      tree.cuts.push_back({at, cut.plane, std::move(section), std::move(covers)});
       parts.push_back(added);
     }
   }

@@ -43,8 +43,9 @@ struct LeafAcross {
 };
 
 /// Cuts leaves by planes that run through them by more than the tolerance; a leaf may be cut by
-/// several. The part behind a plane keeps the leaf's number.
-void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, const PlaneSet& planes,
-                double tolerance_m);
+/// several. The part behind a plane keeps the leaf's number. The pieces in the planes cover the
+/// cuts.
+void cut_leaves(BspTree& tree, std::span<const LeafAcross> cuts, std::span<const Piece> pieces,
+                const PlaneSet& planes, double tolerance_m);
 
 }  // namespace enfilade

@@ -94,12 +94,11 @@ Partition partition(std::vector<Piece> pieces, const CellComplex::Config& config
   made.tree = build_bsp(pieces, made.planes, made.outer_box, config, made.tolerance_m);
   made.interfaces = find_interfaces(made.tree, sliver_tolerances * made.tolerance_m);
   const MergeConfig merging;
-  ApertureConfig apertures{up_axis, made.tolerance_m, merging.framed_share};
+  const ApertureConfig apertures{up_axis, made.tolerance_m, merging.framed_share};
   const auto across = frame_apertures(made.interfaces, made.tree, made.planes, apertures);
   if (!across.empty()) {
-    cut_leaves(made.tree, across, made.planes, made.tolerance_m);
+    cut_leaves(made.tree, across, pieces, made.planes, made.tolerance_m);
     made.interfaces = find_interfaces(made.tree, sliver_tolerances * made.tolerance_m);
-    apertures.upright = 0.0;  // no leaf lies across a door any more
     frame_apertures(made.interfaces, made.tree, made.planes, apertures);
   }
   std::vector<double> volumes;

@@ -1,4 +1,4 @@
-// From pieces to cells: all steps of cells/partition and cells/rooms.
+// From pieces to cells: all steps of cells/partition, cells/merging and cells/rooms.
 #pragma once
 
 #include <span>
@@ -13,7 +13,8 @@ namespace enfilade {
 /// 1. plane_set, bsp: a partition along the most occluding planes of any orientation, deeper than
 /// the rooms need;
 /// 2. interface, apertures: the openings between its leaves, never smaller than they are, and how
-/// much of them is framed like a door;
+/// much of them is framed like a door; leaves that lie across a door are cut, and the openings
+/// found anew;
 /// 3. leaf_graph, merge_candidates, leaf_merge: leaves that are open to each other become rooms,
 /// furniture and leaking solids join them;
 /// 4. room_kinds: each group left is a room, or the inside of a wall, a floor or a cupboard;

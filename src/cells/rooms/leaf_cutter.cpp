@@ -5,8 +5,6 @@
 #include <cmath>
 
 namespace enfilade {
-namespace {}  // namespace
-
 LeafCutter::LeafCutter(CutSpace& space)
     : space_(space),
       node_of_leaf_(space.tree.leaves.size()),

@@ -63,6 +63,7 @@ TEST(LeafMerge, ACavityIsNoConnectorOfWhatItHardlyOpensTo) {
   const LeafGroups groups = merge_leaves(volumes, touches_outside, faces, MergeConfig{});
   EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[1]);
   EXPECT_NE(groups.group_of_leaf[0], groups.group_of_leaf[3]);
+  EXPECT_NE(groups.group_of_leaf[1], groups.group_of_leaf[3]);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class Doorway {
   }
   void cut(std::uint32_t leaf, std::uint32_t plane) {
     const LeafAcross one[] = {{leaf, plane}};
-    cut_leaves(tree_, one, planes_, 1e-3);
+    cut_leaves(tree_, one, {}, planes_, 1e-3);
   }
   void find() { interfaces_ = find_interfaces(tree_, 1e-5); }
   /// The open area in the wall's plane, and what is framed of it, m2.
