@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "json/sealed_json.hpp"
 
 namespace enfilade {
 namespace {
@@ -42,7 +43,7 @@ std::vector<Leak> read_leaks(const std::string& run_directory) {
     const nlohmann::json json = nlohmann::json::parse(text);
     for (const auto& item : json.at("leaks")) {
       Leak leak{kind_of(item.at("kind")),
-                CellId(item.at("cell").get<std::uint32_t>()),
+                CellId(whole<std::uint32_t>(item.at("cell"))),
                 item.at("area_m2"),
                 item.at("width_m"),
                 {}};

@@ -44,9 +44,9 @@ SegmentKind kind_of(const Manifest& manifest, const ShareIndex& index, std::size
 ShareIndex index_from(const nlohmann::ordered_json& json) {
   ShareIndex index;
   index.names = json.at("names").get<std::vector<std::string>>();
-  index.per_file = json.at("per_file");
-  index.ranks = json.at("ranks");
-  index.iterations = json.at("iterations");
+  index.per_file = whole<std::size_t>(json.at("per_file"));
+  index.ranks = whole<int>(json.at("ranks"));
+  index.iterations = whole<int>(json.at("iterations"));
   index.converged = json.at("converged");
   index.difference = json.at("difference");
   index.solve_s = json.at("solve_s");

@@ -28,9 +28,9 @@ std::vector<double> finite(std::vector<double> numbers) {
 
 Manifest manifest_from(const nlohmann::ordered_json& json) {
   Manifest m;
-  m.iteration = json.at("iteration");
-  m.clusters = json.at("clusters");
-  m.ranks = json.at("ranks");
+  m.iteration = whole<int>(json.at("iteration"));
+  m.clusters = whole<std::size_t>(json.at("clusters"));
+  m.ranks = whole<int>(json.at("ranks"));
   m.basis = json.at("basis") == "linear" ? Basis::linear : Basis::constant;
   m.hierarchy = json.at("hierarchy") == "building" ? Hierarchy::building : Hierarchy::clusters;
   m.scene_hash = hash_from_text(json.at("scene_hash").get<std::string>());
@@ -39,8 +39,8 @@ Manifest manifest_from(const nlohmann::ordered_json& json) {
   m.finished = json.at("finished");
   m.history = json.at("history").get<std::vector<std::vector<double>>>();
   m.correction = json.at("correction").get<std::vector<double>>();
-  m.unknowns.first = json.at("first_unknown").get<std::vector<std::uint32_t>>();
-  m.unknowns.aggregates = json.at("aggregates").get<std::vector<std::uint32_t>>();
+  m.unknowns.first = whole_list<std::uint32_t>(json.at("first_unknown"));
+  m.unknowns.aggregates = whole_list<std::uint32_t>(json.at("aggregates"));
   if (!m.correction.empty() && !m.unknowns.complete(m.clusters, m.correction.size())) {
     throw RunError("damaged (the correction is of other clusters)");
   }

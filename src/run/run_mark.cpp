@@ -44,7 +44,8 @@ void take_mark(const Json& json, RunMark& mark) {
   mark.prepare_s = json.at("prepare_s");
   for (const auto& [name, sum] : json.at("files").items()) mark.files[name] = hash_from_text(sum);
   for (const Json& step : json.at("steps")) {
-    mark.steps.push_back({step.at("name"), step.at("wall_s"), step.at("peak_rss_bytes")});
+    mark.steps.push_back(
+        {step.at("name"), step.at("wall_s"), whole<std::uint64_t>(step.at("peak_rss_bytes"))});
   }
   for (const Json& w : json.at("warnings")) mark.warnings.add(w.at(0), w.at(1));
   mark.prepared = json.at("prepared");

@@ -50,7 +50,7 @@ Seal read_seal(const std::string& run_directory) {
   Seal seal;
   unseal(reports_format, text_of(path), path, [&seal](const nlohmann::ordered_json& json) {
     seal.run = hash_from_text(json.at("run"));
-    seal.iteration = json.at("iteration");
+    seal.iteration = whole<int>(json.at("iteration"));
     for (const auto& [name, sum] : json.at("files").items()) seal.sums[name] = hash_from_text(sum);
   });
   const std::optional<Manifest> manifest = read_manifest(RunLayout(run_directory));

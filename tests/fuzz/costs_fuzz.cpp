@@ -85,8 +85,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     solved.put_costs(k, rest.first(bytes));
     rest = rest.subspan(bytes);
   }
+  fuzz::was_read = false;
   try {
     check(read_recording(solved.path.string(), clusters));
+    fuzz::was_read = true;
   } catch (const InputError&) {
   } catch (const RunError&) {
   }

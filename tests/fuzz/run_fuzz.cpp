@@ -37,7 +37,7 @@ std::string sealed(const std::string& text, const char* format, int version, con
 
 void read_one(std::uint8_t kind, const std::string& text) {
   const std::string_view bytes(text);
-  switch (kind % 7) {
+  switch (kind % 8) {
     case 0:
       complex_from_bytes(bytes);
       break;
@@ -52,14 +52,16 @@ void read_one(std::uint8_t kind, const std::string& text) {
       break;
     case 4:
       history_from(text, "fuzz");
-      owners_from(text, "fuzz");
       break;
     case 5:
       committed_iterations(
           sealed(text, "enfilade-manifest", manifest_version, "common/manifest.json"));
       break;
-    default:
+    case 6:
       read_run_mark(sealed(text, "enfilade-run", mark_version, "run.json"));
+      break;
+    default:
+      owners_from(text, "fuzz");
   }
 }
 
@@ -67,8 +69,10 @@ void read_one(std::uint8_t kind, const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
+  enfilade::fuzz::was_read = false;
   try {
     read_one(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
+    enfilade::fuzz::was_read = true;
   } catch (const enfilade::InputError&) {
   } catch (const enfilade::RunError&) {
   }

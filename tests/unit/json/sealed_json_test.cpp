@@ -13,7 +13,7 @@ constexpr SealedFormat format{"enfilade-test", 3, "make it again"};
 std::string seal_fault(const std::string& text) {
   try {
     unseal(format, text, "file",
-           [](const nlohmann::ordered_json& json) { [[maybe_unused]] const int x = json.at("x"); });
+           [](const nlohmann::ordered_json& json) { whole<std::int16_t>(json.at("x")); });
   } catch (const RunError& error) {
     return error.what();
   }
@@ -35,6 +35,18 @@ TEST(SealedJson, EveryBitThatTurnsIsFound) {
       EXPECT_NE(seal_fault(damaged), "") << damaged;
     }
   }
+}
+
+TEST(SealedJson, WholeNumbersFitOrAreRefused) {
+  const std::string fault = "file: is damaged (a value is none); make it again";
+  for (const char* fits : {"0", "-32768", "32767"})
+    EXPECT_EQ(seal_fault(seal(format, {{"x", nlohmann::ordered_json::parse(fits)}})), "") << fits;
+  for (const char* not_one :
+       {"1e99", "1.5", "32768", "-32769", "18446744073709551615", "\"7\"", "true", "null"})
+    EXPECT_EQ(seal_fault(seal(format, {{"x", nlohmann::ordered_json::parse(not_one)}})), fault)
+        << not_one;
+  EXPECT_THROW(whole<std::uint32_t>(nlohmann::json(-1)), std::out_of_range);
+  EXPECT_THROW(whole_list<std::uint32_t>(nlohmann::json{1, -1}), std::out_of_range);
 }
 
 TEST(SealedJson, FaultsSayWhatToDo) {
