@@ -1,6 +1,7 @@
 #include "coarse/coarse_system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -17,14 +18,43 @@ CoarseSystem::CoarseSystem(std::size_t unknowns, std::size_t bands)
       rows_(unknowns) {}
 
 std::span<double> CoarseSystem::coupling(std::size_t row, std::uint32_t column) {
-  auto& [places, flows] = rows_[row];
-  places.resize(unknowns_, 0);
-  std::uint32_t& place = places[column];
-  if (place == 0) {
-    flows.resize(flows.size() + 2 * bands_, 0.0);
-    place = static_cast<std::uint32_t>(flows.size() / (2 * bands_));
+  Row& r = rows_[row];
+  const std::size_t place = r.place_of(column);
+  r.flows.resize(2 * bands_ * r.columns.size(), 0.0);
+  return std::span(r.flows).subspan(2 * bands_ * place, 2 * bands_);
+}
+
+/// The slot that holds the column, or the empty one where it belongs.
+std::uint32_t& CoarseSystem::Row::slot_of(std::uint32_t column) {
+  // Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4): neighbours lie apart.
+  const std::size_t last = slots.size() - 1;
+  std::size_t at = (column * std::uint64_t{11400714819323198485u} >> 32) & last;
+  while (slots[at] != 0 && columns[slots[at] - 1] != column) at = (at + 1) & last;
+  return slots[at];
+}
+
+std::size_t CoarseSystem::Row::place_of(std::uint32_t column) {
+  if (2 * columns.size() >= slots.size()) {
+    slots.assign(std::bit_ceil(std::max<std::size_t>(8, 4 * columns.size())), 0);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      slot_of(columns[i]) = static_cast<std::uint32_t>(i + 1);
   }
-  return std::span(flows).subspan(2 * bands_ * (place - 1), 2 * bands_);
+  std::uint32_t& slot = slot_of(column);
+  if (slot == 0) {
+    columns.push_back(column);
+    slot = static_cast<std::uint32_t>(columns.size());
+  }
+  return slot - 1;
+}
+
+void CoarseSystem::clear() {
+  for (std::vector<double>* power : {&before_, &after_, &absorbed_, &escaping_})
+    std::fill(power->begin(), power->end(), 0.0);
+  for (Row& row : rows_) {
+    row.columns.clear();
+    row.flows.clear();
+    std::fill(row.slots.begin(), row.slots.end(), 0);
+  }
 }
 
 void CoarseSystem::add(ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns) {
@@ -87,6 +117,9 @@ std::vector<double> CoarseSystem::to_numbers() const {
   for (const std::vector<double>* power : {&before_, &after_, &absorbed_, &escaping_}) {
     numbers.insert(numbers.end(), power->begin(), power->end());
   }
+  std::size_t size = numbers.size();
+  for (const Row& row : rows_) size += 1 + row.columns.size() + row.flows.size();
+  numbers.reserve(size);
   for (const Row& row : rows_) {
     numbers.push_back(static_cast<double>(row.flows.size() / (2 * bands_)));
     for_each_of(row, [&numbers](const Coupling& c) {
@@ -113,14 +146,17 @@ CoarseSystem CoarseSystem::from_numbers(std::span<const double> numbers) {
     take(*power, system.unknowns_ * system.bands_);
   }
   std::vector<double> head;
-  std::vector<double> flows;
-  for (std::size_t row = 0; row < system.unknowns_; ++row) {
+  for (Row& row : system.rows_) {
     take(head, 1);
-    for (auto couplings = static_cast<std::size_t>(head[0]); couplings > 0; --couplings) {
-      take(head, 1);
-      take(flows, 2 * system.bands_);
-      std::copy(flows.begin(), flows.end(),
-                system.coupling(row, static_cast<std::uint32_t>(head[0])).begin());
+    const auto couplings = static_cast<std::size_t>(head[0]);
+    const std::size_t width = 1 + 2 * system.bands_;
+    ENFILADE_CHECK(at + couplings * width <= numbers.size(), std::to_string(at));
+    row.columns.reserve(couplings);
+    row.flows.reserve(couplings * (width - 1));
+    for (std::size_t i = 0; i < couplings; ++i, at += width) {
+      const auto coupling = numbers.subspan(at, width);
+      row.columns.push_back(static_cast<std::uint32_t>(coupling[0]));
+      row.flows.insert(row.flows.end(), coupling.begin() + 1, coupling.end());
     }
   }
   return system;

@@ -13,6 +13,8 @@
 // stay dark, and light without a source (left over from a coarser mesh) vanishes at once.
 #pragma once
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,6 +30,8 @@ class CoarseSystem {
  public:
   CoarseSystem(std::size_t unknowns, std::size_t bands);
 
+  /// Makes it as it was at first, but keeps the memory for the next iteration's rows.
+  void clear();
   void add(ClusterId receiver, const CoarseRow& row, const CoarseUnknowns& unknowns);
   /// Adds a coupling without flow, which takes its place in to_numbers().
   void couple(std::uint32_t row, std::uint32_t column) { coupling(row, column); }
@@ -58,12 +62,17 @@ class CoarseSystem {
     std::uint32_t column;
     std::span<const double> fresh, stale;
   };
-  /// The couplings of one unknown, in flat arrays: there may be as many as unknowns, anew in each
-  /// iteration.
+  /// The couplings of one unknown, in flat arrays: there are hundreds, anew in each iteration.
   struct Row {
-    std::vector<std::uint32_t>
-        place;  ///< by column, once there is any: of the coupling in `flows`, from 1; 0 = none
+    std::vector<std::uint32_t> columns;  ///< of the couplings, as they came
     std::vector<double> flows;  ///< of each coupling the fresh ones per band, then the stale
+    /// A hash table with open addressing, at least half empty: places in `columns`, from 1; 0 =
+    /// none.
+    std::vector<std::uint32_t> slots;
+
+    /// Returns the place of a coupling, which is made where there is none.
+    std::size_t place_of(std::uint32_t column);
+    std::uint32_t& slot_of(std::uint32_t column);
   };
   /// Returns the fresh flows of a coupling, which the stale ones follow.
   std::span<double> coupling(std::size_t row, std::uint32_t column);
@@ -89,10 +98,13 @@ class CoarseSystem {
 
 template <class Take>
 void CoarseSystem::for_each_of(const Row& row, Take take) const {
-  for (std::uint32_t column = 0; column < row.place.size(); ++column) {
-    if (row.place[column] == 0) continue;
-    const auto flows = std::span(row.flows).subspan(2 * bands_ * (row.place[column] - 1));
-    take(Coupling{column, flows.first(bands_), flows.subspan(bands_, bands_)});
+  std::vector<std::uint32_t> order(row.columns.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&row](std::uint32_t a, std::uint32_t b) { return row.columns[a] < row.columns[b]; });
+  for (const std::uint32_t i : order) {
+    const auto flows = std::span(row.flows).subspan(2 * bands_ * i);
+    take(Coupling{row.columns[i], flows.first(bands_), flows.subspan(bands_, bands_)});
   }
 }
 

@@ -117,7 +117,7 @@ Link read_link(ByteReader& r) {
 void ClusterCodec::write_geometry(const PatchForest& f, ByteWriter& w) {
   put_record(w, std::int32_t{f.bands_}, std::int32_t{f.lead_bands_}, std::int32_t{f.terms_});
   put_count(w, f.frames_.size());
-  for (const PolygonFrame& frame : f.frames_) write_frame(frame, w);
+  for (const PolygonFrame& frame : f.frames()) write_frame(frame, w);
   for (std::size_t k = 0; k < f.frames_.size(); ++k) write_root(f.nodes_[k], w);
   put_count(w, f.groups_.size());
   for (const GroupNode& group : f.groups_) write_group(group, w);
@@ -129,8 +129,9 @@ PatchForest ClusterCodec::read_geometry(ByteReader& r) {
   f.bands_ = r.get<std::int32_t>();
   f.lead_bands_ = r.get<std::int32_t>();
   f.terms_ = r.get<std::int32_t>();
-  f.frames_.resize(r.get_count(least_polygon_bytes));
-  for (PolygonFrame& frame : f.frames_) frame = read_frame(r);
+  std::vector<PolygonFrame> frames(r.get_count(least_polygon_bytes));
+  for (PolygonFrame& frame : frames) frame = read_frame(r);
+  f.frames_ = SharedList(std::move(frames));
   for (std::size_t k = 0; k < f.frames_.size(); ++k) f.nodes_.push_back(read_root(r));
   f.groups_.resize(r.get_count(group_bytes));
   for (GroupNode& group : f.groups_) group = read_group(r);

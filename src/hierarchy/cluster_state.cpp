@@ -21,6 +21,7 @@ PolygonFrame frame_of(const ClusterPolygon& polygon, const Scene& scene) {
 
 std::vector<PolygonFrame> frames_of(const Cluster& cluster, const Scene& scene) {
   std::vector<PolygonFrame> frames;
+  frames.reserve(cluster.polygons.size());
   for (const ClusterPolygon& p : cluster.polygons) frames.push_back(frame_of(p, scene));
   return frames;
 }

@@ -10,6 +10,7 @@
 
 #include "base/geometry.hpp"
 #include "base/ids.hpp"
+#include "base/shared_list.hpp"
 #include "clusters/cluster.hpp"
 #include "hierarchy/patch_shape.hpp"
 
@@ -95,7 +96,7 @@ class PatchForest {
   /// further ones are shares of it.
   int lead_bands() const { return lead_bands_; }
   const PatchNode& node(std::size_t i) const { return nodes_[i]; }
-  std::span<const PolygonFrame> frames() const { return frames_; }
+  std::span<const PolygonFrame> frames() const { return frames_.all(); }
   std::span<const GroupNode> groups() const { return groups_; }
   /// Returns the polygons in the groups' order: a group's polygons are consecutive.
   std::span<const std::uint32_t> order() const { return order_; }
@@ -213,7 +214,7 @@ class PatchForest {
   }
 
   int bands_ = 1, terms_ = 1, lead_bands_ = 1;
-  std::vector<PolygonFrame> frames_;
+  SharedList<PolygonFrame> frames_;
   std::vector<PatchNode> nodes_;
   std::vector<GroupNode> groups_;
   std::vector<std::uint32_t> order_;

@@ -21,12 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string canonical(const std::string& path) {
-  std::error_code code;
-  const fs::path found = fs::weakly_canonical(path, code);
-  return code ? fs::absolute(path, code).lexically_normal().string() : found.string();
-}
-
 std::string lower_case(std::string text) {
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return text;
@@ -77,6 +71,12 @@ std::string ModelFiles::path_from(const std::string& from, const std::string& na
   fs::path path = fs::path(from).parent_path();
   for (const fs::path& part : fs::path(name)) path = entry_of(path.empty() ? "." : path, part);
   return fs::exists(path, code) ? path.string() : as_named.string();
+}
+
+std::string ModelFiles::canonical(const std::string& path) {
+  std::error_code code;
+  const fs::path found = fs::weakly_canonical(path, code);
+  return code ? fs::absolute(path, code).lexically_normal().string() : found.string();
 }
 
 bool ModelFiles::exists(const std::string& path) {

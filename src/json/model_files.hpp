@@ -40,6 +40,9 @@ class ModelFiles {
   bool allowed(const std::string& path) const;
   /// True where a file of that name is there, of whatever kind.
   static bool exists(const std::string& path);
+  /// Returns the full path, links followed where that is possible: one that cannot exist (too long,
+  /// links in a circle) is no error here.
+  static std::string canonical(const std::string& path);
   /// Hash of the names and bytes of all files read.
   std::uint64_t hash() const { return hash_; }
 

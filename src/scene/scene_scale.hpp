@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/convex_merge.hpp"
 #include "scene/scene.hpp"
 
 namespace enfilade {
@@ -27,7 +28,7 @@ class SceneScale {
   /// hull. Models of buildings are rounded to 0.1 mm or 1 mm; a small part may not hide a real bend
   /// in that.
   double flat(double extent) const {
-    return std::max(std::min(5e-5 * diagonal_, 6e-3 * extent), noise_);
+    return std::max(std::min(5e-5 * diagonal_, most_bend * extent), noise_);
   }
   /// Thinner polygons are slivers: they reflect nothing that counts and have no dependable normal.
   double sliver(double extent) const { return std::max({1e-6 * extent, 1e-7 * diagonal_, noise_}); }

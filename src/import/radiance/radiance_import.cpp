@@ -52,7 +52,7 @@ class RadianceReader {
  private:
   void read_file(const std::string& path, const ModelFiles::Place& named_at,
                  const RadianceXform& to_world) {
-    open_files_.push_back(fs::weakly_canonical(path));
+    open_files_.push_back(ModelFiles::canonical(path));
     RadianceText text(path, files_.read_text(path, named_at));
     while (!text.at_end()) {
       if (text.at_command()) {
@@ -85,11 +85,12 @@ class RadianceReader {
 
   void take_in(const std::string& file, const RadiancePlace& place, const RadianceXform& placed) {
     const fs::path path = ModelFiles::path_from(place.file, file);
-    if (!fs::exists(path)) {
+    if (!ModelFiles::exists(path.string())) {
       place.fail(radiance_quoted(file) + " does not exist",
                  "name a file by its path from the folder of this one");
     }
-    if (std::count(open_files_.begin(), open_files_.end(), fs::weakly_canonical(path)) > 0)
+    if (std::count(open_files_.begin(), open_files_.end(), ModelFiles::canonical(path.string())) >
+        0)
       place.fail(radiance_quoted(file) + " takes in itself", "break the cycle of xform lines");
     if (open_files_.size() >= deepest) {
       place.fail("files take in others more than " + std::to_string(deepest) + " deep",
@@ -206,7 +207,7 @@ class RadianceReader {
   MeshSurfaces surfaces_;
   RadianceModifiers modifiers_;
   RadianceTransform to_scene_;
-  std::vector<fs::path> open_files_;  ///< each takes in the next
+  std::vector<std::string> open_files_;  ///< each takes in the next
   std::size_t files_taken_in_ = 0;
   std::vector<std::string> skipped_;
 };

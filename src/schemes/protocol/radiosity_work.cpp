@@ -45,7 +45,7 @@ void RadiosityWork::begin(const IterationPlan& plan, std::span<const double> cha
   files_.set_committed(plan.iteration - 1);
   field_.end_iteration(changes);
   far_light_.clear();
-  if (config_.method.coarse_correction) coarse_ = CoarseSystem(unknowns_.count, bands_);
+  if (config_.method.coarse_correction) coarse_.clear();
   resident_.set_correction(
       [this, own = std::vector<double>(changes.begin(), changes.end())](ClusterState& state) {
         if (own.empty()) return;

@@ -23,7 +23,7 @@ void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   far_light_.clear();
   clusters_.set_committed(plan.iteration - 1);
   if (shared_->recording.method.coarse_correction)
-    coarse_ = CoarseSystem(shared_->unknowns.count, shared_->recording.bands);
+    coarse_.clear();
   resident_.set_correction({});
   resident_.set_jacobi(shared_->recording.method.uses_jacobi(plan, shared_->unknowns));
 }

@@ -19,6 +19,8 @@ TEST(MergeConvex, AnLShapeStaysInTwoPartsAndAFoldIsNotFlattened) {
   EXPECT_EQ(merged.size(), 2u);
   const std::vector<Vec3> folded{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.3}};
   EXPECT_EQ(merge_convex(folded, {{0, 1, 2}, {0, 2, 3}}, 1e-3, 1e-12).size(), 2u);
+  // However large the scene that the tolerance comes from, a bend of a polygon's own size stays.
+  EXPECT_EQ(merge_convex(folded, {{0, 1, 2}, {0, 2, 3}}, 100.0, 1e-12).size(), 2u);
 }
 
 }  // namespace
