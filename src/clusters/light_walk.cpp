@@ -47,6 +47,9 @@ LightWalk::LightWalk(const Scene& scene, std::span<const CellPiece> pieces, doub
     last_found_.resize(std::max(last_found_.size(), piece.cell.index() + 1), none);
   }
   nearest_.resize(last_found_.size());
+  std::vector<Box> places(lights_.size() + emitters_.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i].add(place_of(i));
+  places_ = BoxTree(places);
 }
 
 bool LightWalk::finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int walks,
@@ -98,14 +101,7 @@ std::size_t LightWalk::draw_source(CellId cell, const Vec3& p, Random& random) {
   const std::size_t count = lights_.size() + emitters_.size();
   if (count <= near_sources || random.below(2) == 0) return random.below(count);
   std::vector<std::uint32_t>& nearest = nearest_[cell.index()];
-  if (nearest.empty()) {
-    std::vector<std::pair<double, std::uint32_t>> by_distance;
-    by_distance.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-      by_distance.emplace_back(glm::distance(place_of(i), p), static_cast<std::uint32_t>(i));
-    std::nth_element(by_distance.begin(), by_distance.begin() + near_sources, by_distance.end());
-    for (std::size_t i = 0; i < near_sources; ++i) nearest.push_back(by_distance[i].second);
-  }
+  if (nearest.empty()) nearest = places_.nearest(p, near_sources);
   return nearest[random.below(near_sources)];
 }
 

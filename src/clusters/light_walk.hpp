@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "cells/partition/cell_complex.hpp"
+#include "geometry/box_tree.hpp"
 #include "raycast/ray_scene.hpp"
 #include "scene/scene.hpp"
 
@@ -49,6 +50,7 @@ class LightWalk {
   int max_bounces_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> emitters_;
+  BoxTree places_;                       ///< of all sources, lights first
   std::vector<std::size_t> last_found_;  ///< per cell: a light or, after them, an emitter
   std::vector<std::vector<std::uint32_t>> nearest_;  ///< per cell, once it is asked for: sources
   std::uint64_t steps_ = 0;

@@ -1,8 +1,10 @@
 #include "geometry/box_tree.hpp"
 
+#include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 
 namespace enfilade {
 namespace {
@@ -77,6 +79,25 @@ std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) co
   for (auto it = impl_->tree.qbegin(near); it != impl_->tree.qend(); ++it)
     found.push_back(it->second);
   std::sort(found.begin(), found.end());  // the tree's own order is nobody's business
+  return found;
+}
+
+std::vector<std::uint32_t> BoxTree::nearest(const Vec3& p, std::size_t count) const {
+  std::vector<std::pair<double, std::uint32_t>> by_distance;
+  const auto take = [&](std::uint32_t i) {
+    const Box& box = impl_->boxes[i];
+    by_distance.emplace_back(glm::distance(p, glm::clamp(p, box.lo, box.hi)), i);
+  };
+  if (impl_->boxes.size() < few) {
+    for (std::uint32_t i = 0; i < impl_->boxes.size(); ++i) take(i);
+  } else {
+    const auto near = bg::index::nearest(TreePoint(p.x, p.y, p.z), static_cast<unsigned>(count));
+    for (auto it = impl_->tree.qbegin(near); it != impl_->tree.qend(); ++it) take(it->second);
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<std::uint32_t> found;
+  for (std::size_t i = 0; i < std::min(count, by_distance.size()); ++i)
+    found.push_back(by_distance[i].second);
   return found;
 }
 

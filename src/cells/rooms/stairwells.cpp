@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cells/rooms/plan_box.hpp"
+#include "cells/rooms/smaller_parts.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace enfilade {
@@ -168,10 +169,7 @@ class StairwellFinder {
     const std::uint32_t well = cutter_.new_group(rooms.first);
     for (const std::uint32_t leaf : leaves_near(box, rooms)) cut_leaf(leaf, box, sides, well);
     index_leaves();
-    for (const std::uint32_t room : {rooms.first, rooms.second}) {
-      take_cut_off_parts(room, well);
-      room_m3_.erase(room);
-    }
+    for (const std::uint32_t room : {rooms.first, rooms.second}) take_cut_off_parts(room, well);
   }
 
   void cut_leaf(std::uint32_t leaf, const PlanBox& box, const std::array<std::uint32_t, 4>& sides,
@@ -187,7 +185,7 @@ class StairwellFinder {
       if (leaf < volumes_m3_.size()) volumes_m3_[leaf] = -1.0;
       leaf = keeps_inside(plane, box) ? halves.behind : halves.front;
     }
-    cutter_.assign(leaf, well);
+    move(leaf, well);
   }
 
   static bool keeps_inside(const Plane& plane, const PlanBox& box) {
@@ -195,43 +193,39 @@ class StairwellFinder {
     return plane.signed_distance(middle) < 0.0;
   }
 
+  /// Calls `take` with the leaves of a group that a leaf is open to.
+  template <class Take>
+  void for_each_open_to(std::uint32_t leaf, std::uint32_t group, Take take) const {
+    for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
+      const LeafInterface& face = space_.interfaces[i];
+      const std::uint32_t other = face.other_than(leaf);
+      if (!face.openings.empty() && space_.groups.group_of_leaf[other] == group) take(other);
+    }
+  }
+
   /// Parts of a room that the stairwell cuts off from the room's largest part join the stairwell.
   void take_cut_off_parts(std::uint32_t room, std::uint32_t well) {
-    std::map<std::uint32_t, int> part;
-    std::vector<double> volumes;
-    for (const std::uint32_t start : cutter_.leaves_of(room)) {
-      if (part.contains(start)) continue;
-      const int number = static_cast<int>(volumes.size());
-      volumes.push_back(0.0);
-      std::vector<std::uint32_t> queue{start};
-      part[start] = number;
-      while (!queue.empty()) {
-        const std::uint32_t leaf = queue.back();
-        queue.pop_back();
-        volumes.back() += volume_of(leaf);
-        for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
-          const LeafInterface& face = space_.interfaces[i];
-          const std::uint32_t other = face.other_than(leaf);
-          if (face.openings.empty() || space_.groups.group_of_leaf[other] != room) continue;
-          if (part.try_emplace(other, number).second) queue.push_back(other);
-        }
-      }
-    }
-    const auto largest =
-        static_cast<int>(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
-    for (const auto& [leaf, number] : part) {
-      if (number == largest || !touches(leaf, well)) continue;
-      cutter_.assign(leaf, well);
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t leaf : cutter_.leaves_of(well))
+      for_each_open_to(leaf, room, [&](std::uint32_t other) { around.push_back(other); });
+    const PartGraph graph{
+        [&](std::uint32_t leaf, const auto& take) { for_each_open_to(leaf, room, take); },
+        [&](std::uint32_t leaf) { return volume_of(leaf); }, room_volume(room)};
+    for (const std::uint32_t leaf : smaller_parts(around, graph)) {
+      if (touches(leaf, well)) move(leaf, well);
     }
   }
 
   bool touches(std::uint32_t leaf, std::uint32_t group) const {
-    for (const std::uint32_t i : cutter_.interfaces_of(leaf)) {
-      const LeafInterface& face = space_.interfaces[i];
-      const std::uint32_t other = face.other_than(leaf);
-      if (!face.openings.empty() && space_.groups.group_of_leaf[other] == group) return true;
-    }
-    return false;
+    bool any = false;
+    for_each_open_to(leaf, group, [&](std::uint32_t) { any = true; });
+    return any;
+  }
+
+  void move(std::uint32_t leaf, std::uint32_t well) {
+    const auto room = room_m3_.find(space_.groups.group_of_leaf[leaf]);
+    if (room != room_m3_.end()) room->second -= volume_of(leaf);
+    cutter_.assign(leaf, well);
   }
 
   CutSpace& space_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/random.hpp"
 
 namespace enfilade {
@@ -34,6 +36,32 @@ TEST(BoxTree, FindsWhatTryingAllFinds) {
       hits += expected.size();
     }
     EXPECT_GT(hits, 50u);
+  }
+}
+
+TEST(BoxTree, TheNearestAreThoseOfTryingAll) {
+  Random random(9);
+  for (const std::size_t count : {20u, 400u}) {
+    const std::vector<Box> boxes = random_boxes(count, random);
+    const BoxTree tree(boxes);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Vec3 p = 12.0 * Vec3(random.uniform(), random.uniform(), random.uniform());
+      std::vector<std::pair<double, std::uint32_t>> all;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3 outside = glm::max(glm::max(boxes[i].lo - p, p - boxes[i].hi), Vec3(0.0));
+        all.emplace_back(glm::length(outside), i);
+      }
+      std::sort(all.begin(), all.end());
+      const std::vector<std::uint32_t> found = tree.nearest(p, 16);
+      ASSERT_EQ(found.size(), 16u);
+      // Of many as near as the last (0, for boxes around the point) any will do.
+      for (std::size_t i = 0; i < 16; ++i) {
+        const double distance = std::find_if(all.begin(), all.end(), [&](const auto& entry) {
+                                  return entry.second == found[i];
+                                })->first;
+        EXPECT_NEAR(distance, all[i].first, 1e-12);
+      }
+    }
   }
 }
 
