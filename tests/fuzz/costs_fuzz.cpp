@@ -43,7 +43,7 @@ struct SolvedRun {
 
   void put_costs(int iteration, std::span<const std::byte> bytes) const {
     ByteWriter w;
-    w.put_mark("ENFCOST8");
+    w.put_mark("ENFCOST9");
     w.put(run);
     w.put(static_cast<std::int32_t>(iteration));
     w.put(Rank{0});

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "ENFCOST8";
+constexpr std::string_view mark = "ENFCOST9";
 
 /// Where a file of costs belongs.
 struct CostPlace {
@@ -32,14 +32,51 @@ void put_head(ByteWriter& w, const CostPlace& place) {
   w.put(place.rank);
 }
 
+/// Most figures of a gather are zero: a list of u8, a bit for each number that is not, then a list
+/// of those numbers.
+void put_sparse(ByteWriter& w, std::span<const double> numbers) {
+  std::vector<std::uint8_t> bits((numbers.size() + 7) / 8, 0);
+  std::vector<double> other;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::bit_cast<std::uint64_t>(numbers[i]) == 0) continue;
+    bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | 1u << i % 8);
+    other.push_back(numbers[i]);
+  }
+  w.put(static_cast<std::uint8_t>(numbers.size() % 8));
+  w.put_all(bits);
+  w.put_all(other);
+}
+
+[[noreturn]] void damaged_cost() {
+  throw RunError("costs: damaged; solve it again, then replay it");
+}
+
+std::vector<double> get_sparse(ByteReader& r) {
+  const auto beyond = r.get<std::uint8_t>();
+  const auto bits = r.get_all<std::uint8_t>();
+  const auto other = r.get_all<double>();
+  if (beyond >= 8 || (beyond > 0 && bits.empty())) damaged_cost();
+  std::vector<double> numbers(beyond > 0 ? 8 * (bits.size() - 1) + beyond : 8 * bits.size(), 0.0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if ((bits[i / 8] >> i % 8 & 1) == 0) continue;
+    if (next == other.size()) damaged_cost();
+    numbers[i] = other[next++];
+  }
+  if (next != other.size()) damaged_cost();
+  return numbers;
+}
+
 void put_cost(ByteWriter& w, const GatherCost& cost) {
   const FoldedNumbers numbers = to_numbers(cost.figures);
   w.put(cost.cluster);
-  w.put_all(numbers.maxima);
-  w.put_all(numbers.sums);
+  put_sparse(w, numbers.maxima);
+  put_sparse(w, numbers.sums);
   w.put(cost.patches);
   w.put(cost.links_changed);
   if (cost.links_changed) w.put(cost.links);
+  w.put(cost.as_before);
+  if (cost.as_before) return;
   w.put_all(cost.coupled.words());
   w.put_all(cost.read);
 }
@@ -47,22 +84,22 @@ void put_cost(ByteWriter& w, const GatherCost& cost) {
 /// Reads a flag; throws RunError for a byte other than 0 or 1.
 bool get_flag(ByteReader& r) {
   const auto byte = r.get<std::uint8_t>();
-  if (byte > 1) throw RunError("costs: damaged; solve it again, then replay it");
+  if (byte > 1) damaged_cost();
   return byte == 1;
 }
 
 GatherCost get_cost(ByteReader& r) {
   GatherCost cost;
   cost.cluster = r.get<ClusterId>();
-  const auto maxima = r.get_all<double>();
-  const auto sums = r.get_all<double>();
+  const std::vector<double> maxima = get_sparse(r), sums = get_sparse(r);
   cost.figures = figures_from(maxima, sums);
   cost.patches = r.get<SectionWeight>();
   cost.links_changed = get_flag(r);
   if (cost.links_changed) cost.links = r.get<SectionWeight>();
+  cost.as_before = get_flag(r);
+  if (cost.as_before) return cost;
   std::vector<std::uint64_t> coupled = r.get_all<std::uint64_t>();
-  if (coupled.size() > CoupledPlaces::most_words)
-    throw RunError("costs: damaged; solve it again, then replay it");
+  if (coupled.size() > CoupledPlaces::most_words) damaged_cost();
   cost.coupled = CoupledPlaces::of(std::move(coupled));
   cost.read = r.get_all<ClusterId>();
   return cost;
@@ -152,7 +189,23 @@ void CostRecorder::add_start(const ClusterState& state) {
   start_.emplace_back(state.id(), weight);
 }
 
+/// Most gathers of later iterations read what they read before: that is kept once.
+void CostRecorder::add(GatherCost cost) {
+  const std::uint64_t sum = checksum(std::as_bytes(std::span(cost.coupled.words()))) ^
+                            std::rotl(checksum(std::as_bytes(std::span(cost.read))), 1);
+  auto& [iteration, last_sum] = last_[cost.cluster];
+  if (iteration_ > 1 && iteration == iteration_ - 1 && last_sum == sum) {
+    cost.as_before = true;
+    cost.coupled = {};
+    cost.read = {};
+  }
+  iteration = iteration_;
+  last_sum = sum;
+  gathers_.push_back(std::move(cost));
+}
+
 void CostRecorder::write(int iteration) {
+  iteration_ = iteration + 1;
   ByteWriter w;
   put_head(w, {run_, iteration, rank_});
   w.put(method_.coarse_correction);
@@ -220,6 +273,13 @@ Recording read_recording(const std::string& run_directory, std::size_t clusters)
                      GatherCost cost = get_cost(r);
                      const ClusterId id = cost.cluster;
                      if (id.index() >= clusters) return id;
+                     if (cost.as_before) {
+                       if (k == 1) incomplete(run_directory, "is damaged");
+                       const GatherCost& before =
+                           recording.gathers[static_cast<std::size_t>(k) - 2][id.index()];
+                       cost.coupled = before.coupled;
+                       cost.read = before.read;
+                     }
                      for (const ClusterId read : cost.read) {
                        if (read.index() >= clusters)
                          incomplete(run_directory, "is of another scene");

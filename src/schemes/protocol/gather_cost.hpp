@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,6 +54,8 @@ struct GatherCost {
   CoupledPlaces coupled;         ///< in the coarse system, if any
   /// The clusters that the gather read, where it found them through the building's tree.
   std::vector<ClusterId> read;
+  /// In a file: `coupled` and `read` are those of the iteration before, and are not kept again.
+  bool as_before = false;
 };
 
 /// A run that can be replayed.
@@ -79,7 +82,7 @@ class CostRecorder {
 
   /// Records a cluster before the first iteration.
   void add_start(const ClusterState& state);
-  void add(GatherCost cost) { gathers_.push_back(std::move(cost)); }
+  void add(GatherCost cost);
   /// Writes the file of an iteration with the gathers added since the last call; 0 = the clusters
   /// at the start.
   void write(int iteration);
@@ -91,6 +94,9 @@ class CostRecorder {
   IterationMethod method_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
   std::vector<GatherCost> gathers_;
+  int iteration_ = 0;  ///< that gathers_ are of; 0 = not known, as where a run is resumed
+  /// By cluster that this rank gathered for: the iteration, and a checksum of what it read.
+  std::map<ClusterId, std::pair<int, std::uint64_t>> last_;
 };
 
 /// On one rank, before a run begins: removes the recordings of iterations after `committed`.

@@ -21,7 +21,7 @@ CoupledPlaces coupled(ClusterId receiver, const CoarseRow& row, const CoarseUnkn
 
 RadiosityWork::RadiosityWork(const Prepared& prepared, const RunLayout& layout,
                              ClusterSource<ClusterState>& files, Machine& machine,
-                             CostRecorder& recorder, const RadiosityWorkConfig& config)
+                             CostRecorder* recorder, const RadiosityWorkConfig& config)
     : prepared_(prepared),
       layout_(layout),
       files_(files),
@@ -96,15 +96,15 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
       },
       prepared_.scene.lights, occluders_, gather_config_);
   spend(machine_, result.figures.work);
-  CoupledPlaces places;
-  if (config_.method.coarse_correction) {
-    coarse_.add(receiver, result.coarse, unknowns_);
-    places = coupled(receiver, result.coarse, unknowns_);
-  }
+  if (config_.method.coarse_correction) coarse_.add(receiver, result.coarse, unknowns_);
   const WrittenReceiver written = resident_.write_receiver(receiver, result.links_changed);
   resident_.unpin();
-  recorder_.add({receiver, result.figures, written.patches, written.links, result.links_changed,
-                 std::move(places), std::move(read)});
+  if (recorder_ != nullptr) {
+    recorder_->add({receiver, result.figures, written.patches, written.links, result.links_changed,
+                    config_.method.coarse_correction ? coupled(receiver, result.coarse, unknowns_)
+                                                     : CoupledPlaces{},
+                    std::move(read)});
+  }
   if (field_.has_tree()) {
     far_light_.push_back(static_cast<double>(receiver.value));
     far_light_.insert(far_light_.end(), result.light.begin(), result.light.end());
@@ -114,7 +114,7 @@ IterationFigures RadiosityWork::gather(ClusterId receiver) {
 
 void RadiosityWork::move_to_common() {
   files_.move_to_common();
-  recorder_.write(files_.committed() + 1);
+  if (recorder_ != nullptr) recorder_->write(files_.committed() + 1);
 }
 
 std::vector<double> RadiosityWork::merge(std::span<const double> a,

@@ -30,7 +30,7 @@ class RadiosityWork final : public ClusterWork {
  public:
   /// All but `config` must outlive it.
   RadiosityWork(const Prepared& prepared, const RunLayout& layout,
-                ClusterSource<ClusterState>& files, Machine& machine, CostRecorder& recorder,
+                ClusterSource<ClusterState>& files, Machine& machine, CostRecorder* recorder,
                 const RadiosityWorkConfig& config);
 
   /// Keeps a cluster of the state before the first iteration in memory; its files must exist.
@@ -63,7 +63,7 @@ class RadiosityWork final : public ClusterWork {
   const RunLayout& layout_;
   ClusterSource<ClusterState>& files_;
   Machine& machine_;
-  CostRecorder& recorder_;
+  CostRecorder* recorder_;  ///< null: gathers are not recorded
   RadiosityWorkConfig config_;
   ResidentClusters resident_;
   Occluders occluders_;

@@ -193,8 +193,7 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
                      prepared.clusters.size(), run.machine);
   const SchemeParts parts{config, prepared, run.own, cost, store, run.communicator, run.machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
-  CostRecorder recorder(layout.run, run.manifest.run, run.communicator.rank(), config.method);
-  RadiosityWork work(prepared, layout, scheme->files(), run.machine, recorder,
+  RadiosityWork work(prepared, layout, scheme->files(), run.machine, nullptr,
                      {config.gather, config.method, run.manifest.hierarchy, memory,
                       config.memory_manager, run.manifest.run, run.communicator.size()});
   for (const ClusterId id : run.own) {
@@ -202,11 +201,9 @@ void solve_turn(const ShareRun& run, const Prepared& prepared, std::size_t first
     if (first == 0) remainder.begin(whole);
     ClusterState wide = with_shares(whole, prepared.clusters[id.index()], prepared.scene);
     store.write_initial(wide);
-    recorder.add_start(wide);
     work.adopt(std::move(wide));
   }
   store.end_initial();
-  recorder.write(0);
   run.communicator.barrier();
   run.communicator.on_root([&] { work.commit({}, {}, false); });
   work.restore_far_light(0);

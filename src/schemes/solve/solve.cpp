@@ -137,7 +137,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   GatherSettings gather = config.gather;
   gather.basis = basis;
   const Hierarchy hierarchy = manifest ? manifest->hierarchy : config.topmost();
-  RadiosityWork work(prepared, layout, scheme->files(), machine, recorder,
+  RadiosityWork work(prepared, layout, scheme->files(), machine, &recorder,
                      {gather, config.method, hierarchy, memory, config.memory_manager, run, ranks});
   if (manifest) {
     communicator.on_root([&] { drop_costs(layout.run, manifest->iteration); });
