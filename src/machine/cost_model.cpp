@@ -53,8 +53,8 @@ Setter into(std::uint64_t& target) {
 
 }  // namespace
 
-CostModel read_cost_model(const std::string& path) {
-  const Json document = parse_json(read_text(path), path);
+CostModel cost_model_from(const std::string& text, const std::string& path) {
+  const Json document = parse_json(text, path);
   if (!document.is_object() || document.value("format", Json()) != "enfilade-cost-model" ||
       document.value("version", Json()) != 1) {
     throw InputError(path, "format", "not an enfilade-cost-model of version 1",

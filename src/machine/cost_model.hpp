@@ -44,8 +44,9 @@ struct CostModel {
   RecordSizes records;
 };
 
-/// Throws InputError, naming the key, for an unknown, missing or negative figure.
-CostModel read_cost_model(const std::string& path);
+/// Takes the text of file `path`. Throws InputError, naming the key, for an unknown, missing or
+/// negative figure.
+CostModel cost_model_from(const std::string& text, const std::string& path);
 
 /// Returns the flops that counted work costs.
 double price_flops(const CostModel& model, const WorkCount& work);

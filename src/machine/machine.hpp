@@ -16,6 +16,8 @@
 
 namespace enfilade {
 
+struct CostModel;
+
 /// Where bytes live: the common directory (NFS, shared by all ranks) or the rank's local directory.
 enum class Disk { common, local };
 
@@ -121,7 +123,7 @@ class PhaseScope {
 /// All ranks of a run are threads of one process and share its address space and its exit status:
 /// simulated ones. Else each rank is a process.
 bool ranks_share_a_process();
-/// `cost_model_file` empty = the default of the build. Throws InputError for a bad file.
-std::unique_ptr<Machine> make_machine(const std::string& cost_model_file);
+/// A real machine has no use for the costs.
+std::unique_ptr<Machine> make_machine(const CostModel& costs);
 
 }  // namespace enfilade

@@ -52,10 +52,6 @@ class RealMachine final : public Machine {
 
 bool ranks_share_a_process() { return false; }
 
-std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
-  // A real run has no use for the costs, but a bad file is refused on either machine.
-  if (!cost_model_file.empty()) read_cost_model(cost_model_file);
-  return std::make_unique<RealMachine>();
-}
+std::unique_ptr<Machine> make_machine(const CostModel&) { return std::make_unique<RealMachine>(); }
 
 }  // namespace enfilade

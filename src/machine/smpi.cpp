@@ -156,7 +156,7 @@ class SimulatedMachine final : public Machine {
 
 bool ranks_share_a_process() { return true; }
 
-std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
+std::unique_ptr<Machine> make_machine(const CostModel& costs) {
   // Only charged work takes time, whatever smpirun's command line said; and a poll for messages
   // takes none, since it is cheap on a real machine.
   xbt_log_control_set("xbt_cfg.thres:warning");
@@ -164,8 +164,7 @@ std::unique_ptr<Machine> make_machine(const std::string& cost_model_file) {
   s4u::Engine::set_config("smpi/test:0");
   s4u::Engine::set_config("smpi/iprobe:0");
   s4u::Engine::set_config("smpi/grow-injected-times:no");
-  return std::make_unique<SimulatedMachine>(
-      cost_model_file.empty() ? CostModel{} : read_cost_model(cost_model_file));
+  return std::make_unique<SimulatedMachine>(costs);
 }
 
 }  // namespace enfilade

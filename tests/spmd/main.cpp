@@ -5,13 +5,14 @@
 #include <map>
 
 #include "check.hpp"
+#include "machine/cost_model.hpp"
 
 using namespace enfilade;
 using namespace enfilade::spmd_tests;
 
 int main(int argc, char** argv) {
   Communicator communicator(argc, argv);
-  const std::unique_ptr<Machine> machine = make_machine("");
+  const std::unique_ptr<Machine> machine = make_machine({});
   const std::map<std::string, void (*)(Context&)> tests = {
       {"ring_token", ring_token},
       {"request_ahead_of_its_iteration", request_ahead_of_its_iteration},

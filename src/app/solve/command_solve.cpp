@@ -57,10 +57,15 @@ SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
   std::vector<Probe> points;
   session.communicator().on_root([&] {
     options.config();
-    make_machine(options.cost_model);
     if (!options.target_error_at.empty()) points = read_probes(options.target_error_at).probes;
   });
   SolveConfig config = options.config();
+  // One rank with room for all clusters: no order loads less than another, and Jacobi's iterations
+  // give the same light in any.
+  if (!options.order_is_given() && session.communicator().size() == 1 && options.replay.empty() &&
+      config.memory_bytes == 0 && session.machine(options.cost_model).memory_bytes() == 0 &&
+      config.method.coarse_correction)
+    config.order = TourOrder::input;
   if (!options.target_error_at.empty())
     config.gather.target_points = points_of_root(points, session.communicator());
   return config;

@@ -2,6 +2,8 @@
 
 #include "app/frame/launcher.hpp"
 #include "base/error.hpp"
+#include "json/input_file.hpp"
+#include "machine/cost_model.hpp"
 
 namespace enfilade {
 
@@ -18,7 +20,17 @@ Communicator& RankSession::communicator() {
 }
 
 Machine& RankSession::machine(const std::string& cost_model_file) {
-  if (!machine_) machine_ = make_machine(cost_model_file);
+  if (machine_) return *machine_;
+  if (cost_model_file.empty()) {
+    machine_ = make_machine({});
+  } else {
+    std::string text;
+    communicator().on_root([&] {
+      text = read_text(cost_model_file);
+      cost_model_from(text, cost_model_file);  // a fault is told once
+    });
+    machine_ = make_machine(cost_model_from(communicator().broadcast(text), cost_model_file));
+  }
   return *machine_;
 }
 

@@ -18,8 +18,8 @@ class RankSession : public Session {
 
   /// Throws std::logic_error where MPI was not started.
   Communicator& communicator();
-  /// Returns the machine that this rank runs on, made at the first call. Throws InputError for a
-  /// bad cost model.
+  /// Returns the machine that this rank runs on, made at the first call, which all ranks
+  /// join. The root reads the cost model's file. Throws InputError for a bad one.
   Machine& machine(const std::string& cost_model_file = "");
 
   /// Prints the error, on whichever rank it arose, and returns the exit status. Where the other

@@ -39,6 +39,7 @@ struct SolveOptions {
   /// Returns whether the user chose the basis: `--basis auto` leaves the choice to the program.
   bool basis_is_given() const;
   bool target_is_given() const { return gave("--target-error"); }
+  bool order_is_given() const { return gave("--order"); }
   /// Throws InputError for values that are none or that do not go together.
   /// The points of `target_error_at` are left out: one rank reads their file for all.
   SolveConfig config() const;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/cost_model.hpp"
+
 namespace enfilade {
 namespace {
 
@@ -74,7 +76,7 @@ TEST(Machine, PollsUntilAMessageIsThere) {
 }
 
 TEST(Machine, RealOneKeepsTheTimeAndChargesNothing) {
-  const auto machine = make_machine("");
+  const auto machine = make_machine({});
   EXPECT_TRUE(machine->time_passes_by_itself());
   EXPECT_GT(machine->peak_memory_bytes(0), 0u) << "measured, not counted";
   EXPECT_FALSE(machine->host().empty());
