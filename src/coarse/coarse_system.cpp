@@ -28,7 +28,8 @@ std::span<double> CoarseSystem::coupling(std::size_t row, std::uint32_t column) 
 std::uint32_t& CoarseSystem::Row::slot_of(std::uint32_t column) {
   // Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4): neighbours lie apart.
   const std::size_t last = slots.size() - 1;
-  std::size_t at = (column * std::uint64_t{11400714819323198485u} >> 32) & last;
+  std::size_t at =
+      column * std::uint64_t{11400714819323198485u} >> (64 - std::countr_zero(slots.size()));
   while (slots[at] != 0 && columns[slots[at] - 1] != column) at = (at + 1) & last;
   return slots[at];
 }

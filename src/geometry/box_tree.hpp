@@ -24,8 +24,8 @@ class BoxTree {
   /// Returns the indices, in ascending order, of the boxes that touch `box` grown by `margin_m` on
   /// all sides.
   std::vector<std::uint32_t> touching(const Box& box, double margin_m) const;
-  /// Returns the indices of the `count` boxes nearest to a point, the nearest first; of two as
-  /// near, the smaller index.
+  /// Returns the indices of the `count` boxes nearest to a point, the nearest first. Of
+  /// several that are as near as the last one, any may be left out.
   std::vector<std::uint32_t> nearest(const Vec3& p, std::size_t count) const;
   /// Whether `holds` is true of one of them.
   bool any_touching(const Box& box, double margin_m,

@@ -61,7 +61,9 @@ bool is_convex(const std::vector<Vec3>& points, const IndexLoop& loop, double fl
   for (const std::uint32_t i : loop) polygon.push_back(points[i]);
   const Plane plane = plane_of(polygon);
   if (plane.n == Vec3(0.0)) return false;
-  flat = std::min(flat, most_bend * bounds(polygon).diagonal());
+  const Box box = bounds(polygon);
+  const double rounding = 16.0 * 2.2e-16 * std::max(glm::length(box.lo), glm::length(box.hi));
+  flat = std::min(flat, std::max(most_bend * box.diagonal(), rounding));
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (std::abs(plane.signed_distance(polygon[i])) > flat) return false;

@@ -14,8 +14,8 @@ using IndexLoop = std::vector<std::uint32_t>;
 inline constexpr double most_bend = 6e-3;
 
 /// Removes shared edges, longest first, as long as the joined loop is convex and planar within the
-/// two tolerances (metres, where that is no more than most_bend; sine of the angle of a turn). At
-/// most four times the least possible number is left.
+/// two tolerances (metres, but no more than most_bend times the joined loop's extent; sine of the
+/// angle of a turn). At most four times the least possible number is left.
 std::vector<IndexLoop> merge_convex(const std::vector<Vec3>& points, std::vector<IndexLoop> loops,
                                     double flat_tolerance, double turn_tolerance);
 

@@ -139,6 +139,13 @@ LightSource with_distribution(LightSource light, const PhotometricFile& file, co
   return light;
 }
 
+/// The intensity of a fixture that sends out all of its lamp's flux: how much of it the model's own
+/// distribution lets out counts no more once a file tells the distribution.
+Spectrum whole_intensity(const LightSource& light, const BuildingLuminaire& lamp) {
+  if (!light.distribution || lamp.flux_lm <= 0.0) return light.intensity;
+  return Spectrum(light.intensity.size(), lamp.flux_lm / (4.0 * std::numbers::pi));
+}
+
 /// Nothing is said of a lamp's missing flux once a file tells it.
 void take_back(Warnings& warnings, const std::vector<std::string>& lit) {
   Warnings kept;
@@ -163,15 +170,17 @@ LuminaireMatches match_luminaires(Scene& scene, const std::string& folder, Warni
     ++matches.lamps;
     const bool has_light = lamp.light >= 0;
     if (has_light) taken[static_cast<std::size_t>(lamp.light)] = 1;
-    const PhotometricFile* file = catalogue.find(lamp.type);
+    const PhotometricFile* file = lamp.file.empty() ? nullptr : catalogue.find(lamp.file);
+    if (file == nullptr) file = catalogue.find(lamp.type);
     if (file == nullptr) file = catalogue.find(lamp.name);
     if (file == nullptr) {
-      ++missing[lamp.type.empty() ? lamp.name : lamp.type];
+      ++missing[!lamp.file.empty() ? lamp.file : lamp.type.empty() ? lamp.name : lamp.type];
       continue;
     }
     ++matches.matched;
     LightSource light{lamp.p, {}};
-    if (has_light) light.intensity = scene.lights[static_cast<std::size_t>(lamp.light)].intensity;
+    if (has_light)
+      light.intensity = whole_intensity(scene.lights[static_cast<std::size_t>(lamp.light)], lamp);
     const auto frame = glm::length(lamp.aim) > 0.0 && glm::length(lamp.up) > 0.0
                            ? LightFrame::of(lamp.aim, lamp.up)
                            : std::nullopt;

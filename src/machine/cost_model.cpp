@@ -53,6 +53,12 @@ Setter into(std::uint64_t& target) {
 
 }  // namespace
 
+std::string cost_model_text(const std::string& path) {
+  std::string text = read_text(path);
+  cost_model_from(text, path);
+  return text;
+}
+
 CostModel cost_model_from(const std::string& text, const std::string& path) {
   const Json document = parse_json(text, path);
   if (!document.is_object() || document.value("format", Json()) != "enfilade-cost-model" ||

@@ -44,6 +44,8 @@ struct CostModel {
   RecordSizes records;
 };
 
+/// Returns the text of a cost model's file. Throws InputError where it cannot be read or is none.
+std::string cost_model_text(const std::string& path);
 /// Takes the text of file `path`. Throws InputError, naming the key, for an unknown, missing or
 /// negative figure.
 CostModel cost_model_from(const std::string& text, const std::string& path);

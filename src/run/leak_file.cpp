@@ -1,6 +1,7 @@
 #include "run/leak_file.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "json/sealed_json.hpp"
@@ -52,6 +53,9 @@ std::vector<Leak> read_leaks(const std::string& run_directory) {
     }
   } catch (const nlohmann::json::exception&) {
     throw RunError(run_directory + "/" + file_name + ": holds no leaks; prepare the run again");
+  } catch (const std::out_of_range&) {
+    throw RunError(run_directory + "/" + file_name +
+                   ": holds a cell that is none; prepare the run again");
   }
   return leaks;
 }

@@ -31,7 +31,8 @@ struct BuildingLuminaire {
   Vec3 p{0.0};                                  ///< where its light is taken to come from, metres
   double flux_lm = 0.0;                         ///< 0 where the model tells none
   Vec3 aim{0.0, 0.0, -1.0}, up{0.0, 1.0, 0.0};  ///< of its frame (scene/light.hpp)
-  int light = -1;  ///< which of the scene's lights is its own; -1 where none is
+  int light = -1;      ///< which of the scene's lights is its own; -1 where none is
+  std::string file{};  ///< within an import: the photometric file that the model names, no folder
 };
 
 struct BuildingData {

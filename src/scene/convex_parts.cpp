@@ -138,8 +138,8 @@ double width_of(const Polygon& polygon) {
 }
 
 ConvexParts convex_parts(const Polygon& raw, const SceneScale& scale) {
-  const double extent = bounds(raw).diagonal(), tolerance = scale.flat(extent);
-  Polygon polygon = without_repeats(raw, scale.same_vertex(extent));
+  Polygon polygon = without_repeats(raw, scale.same_vertex(bounds(raw).diagonal()));
+  const double extent = bounds(polygon).diagonal(), tolerance = scale.flat(extent);
   const double width = width_of(polygon);
   if (polygon.size() < 3 || width <= scale.sliver(extent)) return {PolygonShape::degenerate, {}};
   // Wide, yet without area: its loops run in opposite senses and cancel.

@@ -15,9 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace enfilade::fuzz {
 
-/// Whether the reader took the last input: false only where a target sets it. A file of the corpus
-/// that a new version of its format refuses tests nothing beyond the version.
-inline bool was_read = true;
+/// Whether the reader took the last input, of a target that tells. A file of the corpus that a new
+/// version of its format refuses tests nothing beyond the version.
+inline bool was_read = false, tells_what_was_read = false;
 
 /// Holds whatever the compiler does with assert.
 inline void require(bool holds) {

@@ -33,8 +33,8 @@ class Numbers {
 };
 
 /// Area vectors add up, whether or not a polygon is quite planar.
-void require_same(const Vec3& sum, const Vec3& whole, double extent) {
-  require(glm::length(sum - whole) <= 1e-6 * extent * extent);
+void require_same(const Vec3& sum, const Vec3& whole, double extent, double more_m2 = 0.0) {
+  require(glm::length(sum - whole) <= 1e-6 * extent * extent + more_m2);
 }
 
 void check_factor(const Vec3& x, const Vec3& direction, const Polygon& polygon) {
@@ -54,8 +54,8 @@ void check_cut(const Polygon& polygon, const Vec3& through, const Vec3& directio
   const Plane own = plane_of(polygon);
   for (const Vec3& p : polygon) bend = std::max(bend, std::abs(own.signed_distance(p)));
   require(bend <= 2.0 * most_bend * extent);
-  require_same(area_vector(front) + area_vector(behind), area_vector(polygon),
-               std::sqrt(extent * (extent + 4e6 * bend)));
+  require_same(area_vector(front) + area_vector(behind), area_vector(polygon), extent,
+               4.0 * bend * extent);
 }
 
 void check_cover(const Polygon& a, const Polygon& b, const SceneScale& scale) {

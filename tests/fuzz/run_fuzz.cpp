@@ -68,8 +68,9 @@ void read_one(std::uint8_t kind, const std::string& text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
+  enfilade::fuzz::tells_what_was_read = true;
   enfilade::fuzz::was_read = false;
+  if (size == 0) return 0;
   try {
     read_one(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
     enfilade::fuzz::was_read = true;

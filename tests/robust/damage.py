@@ -236,8 +236,9 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="enfilade-damage-") as scratch:
         trials = Trials(options, Path(scratch))
-        while sum(trials.table.values()) < options.trials:  # some damage cannot be done to some files
-            trials.one()
+        for _ in range(3 * options.trials):  # some damage cannot be done to some files
+            if sum(trials.table.values()) < options.trials:
+                trials.one()
     trials.report()
     return 1 if trials.faults else 0
 

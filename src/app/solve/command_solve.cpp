@@ -60,11 +60,12 @@ SolveConfig agree_on_config(const SolveOptions& options, RankSession& session) {
     if (!options.target_error_at.empty()) points = read_probes(options.target_error_at).probes;
   });
   SolveConfig config = options.config();
-  // One rank with room for all clusters: no order loads less than another, and Jacobi's iterations
-  // give the same light in any.
+  // One rank with room for all clusters: no order loads less than another, and the iterations are
+  // Jacobi's, which give the same light in any order (with the coarse correction all but those
+  // after a correction that failed).
   if (!options.order_is_given() && session.communicator().size() == 1 && options.replay.empty() &&
       config.memory_bytes == 0 && session.machine(options.cost_model).memory_bytes() == 0 &&
-      config.method.coarse_correction)
+      (config.method.coarse_correction || config.method.jacobi))
     config.order = TourOrder::input;
   if (!options.target_error_at.empty())
     config.gather.target_points = points_of_root(points, session.communicator());

@@ -2,7 +2,6 @@
 
 #include "app/frame/launcher.hpp"
 #include "base/error.hpp"
-#include "json/input_file.hpp"
 #include "machine/cost_model.hpp"
 
 namespace enfilade {
@@ -25,10 +24,7 @@ Machine& RankSession::machine(const std::string& cost_model_file) {
     machine_ = make_machine({});
   } else {
     std::string text;
-    communicator().on_root([&] {
-      text = read_text(cost_model_file);
-      cost_model_from(text, cost_model_file);  // a fault is told once
-    });
+    communicator().on_root([&] { text = cost_model_text(cost_model_file); });
     machine_ = make_machine(cost_model_from(communicator().broadcast(text), cost_model_file));
   }
   return *machine_;

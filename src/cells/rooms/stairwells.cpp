@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/smaller_parts.hpp"
 #include "cells/rooms/plan_box.hpp"
-#include "cells/rooms/smaller_parts.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace enfilade {

@@ -10,11 +10,16 @@
 #include "import/intake/mesh_surfaces.hpp"
 #include "import/intake/pane_bodies.hpp"
 #include "json/json_text.hpp"
+#include "photometry/distribution_json.hpp"
 
 namespace enfilade {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Flux that a luminaire sends out over that of its lamp. A distribution in cd/klm integrates to at
+/// most 1000 lm (5% allowed for rounding), and one that integrates to less than 10 lm is in cd/lm.
+constexpr double least_light_output = 0.01, most_light_output = 1.05;
 
 /// What tells whether faces close a volume: the area vectors of a closed surface that faces one way
 /// sum to nothing.
@@ -217,6 +222,7 @@ class AnswerReader {
   void add_luminaire(const Json& entry) {
     BuildingLuminaire lamp{entry.at("name"), entry.at("type"),
                            options_.scale * point_of(entry.at("p")), entry.at("flux_lm")};
+    lamp.file = entry.value("file", "");
     if (entry.contains("aim")) {
       lamp.aim = point_of(entry.at("aim"));
       lamp.up = point_of(entry.at("up"));
@@ -228,8 +234,42 @@ class AnswerReader {
       lamp.light = static_cast<int>(scene_.lights.size());
       scene_.lights.push_back({lamp.p, {intensity, intensity, intensity}});
       scene_.lights.back().name = lamp.name;
+      if (entry.contains("distribution")) distribute(entry.at("distribution"), lamp);
     }
     scene_.building.luminaires.push_back(std::move(lamp));
+  }
+
+  /// Gives the last light the intensities that the model tells, in candela for 1000 lumens of the
+  /// lamp. What is wrong with them costs no more than the distribution.
+  void distribute(const Json& told, const BuildingLuminaire& lamp) {
+    LightSource& light = scene_.lights.back();
+    const std::string where = "lamp " + in_quotes(lamp.name);
+    const bool has_axes = glm::length(lamp.aim) > 0.0 && glm::length(lamp.up) > 0.0;
+    const auto frame = has_axes ? LightFrame::of(lamp.aim, lamp.up) : std::nullopt;
+    try {
+      nlohmann::json value = told;
+      for (const Json& angles : told.at("angles")) {
+        if (angles != told.at("angles").front())
+          throw InputError(scene_.file, where, "has planes of different angles",
+                           "give all planes the same");
+      }
+      value["angles"] = told.at("angles").front();
+      light.distribution = distribution_from_json(value, scene_.file, where).distribution;
+    } catch (const InputError& error) {
+      warnings_.add(
+          where, "has a light distribution that cannot be used, and shines to all sides alike: " +
+                     std::string(error.what()).substr(scene_.file.size() + 2));
+      return;
+    }
+    if (frame) light.frame = *frame;
+    const double output = 4.0 * std::numbers::pi * light.distribution->mean() / 1000.0;
+    if (output < least_light_output || output > most_light_output) {
+      warnings_.add(where, "has intensities of " + shown(std::round(1000.0 * output)) +
+                               " lm for 1000 lm of the lamp, "
+                               "only their proportions are taken");
+      return;
+    }
+    for (double& intensity : light.intensity) intensity *= output;
   }
 
   ImportOptions options_;

@@ -32,8 +32,8 @@ void put_head(ByteWriter& w, const CostPlace& place) {
   w.put(place.rank);
 }
 
-/// Most figures of a gather are zero: a list of u8, a bit for each number that is not, then a list
-/// of those numbers.
+/// Most figures of a gather are zero. Layout: their count modulo 8 as u8; a list of u8 with a bit
+/// for each number, 1 where it is not zero; the list of those numbers.
 void put_sparse(ByteWriter& w, std::span<const double> numbers) {
   std::vector<std::uint8_t> bits((numbers.size() + 7) / 8, 0);
   std::vector<double> other;

@@ -94,8 +94,8 @@ class CostRecorder {
   IterationMethod method_;
   std::vector<std::pair<ClusterId, ClusterWeight>> start_;
   std::vector<GatherCost> gathers_;
-  int iteration_ = 0;  ///< that gathers_ are of; 0 = not known, as where a run is resumed
-  /// By cluster that this rank gathered for: the iteration, and a checksum of what it read.
+  int iteration_ = 0;  ///< that gathers_ are of; 0 = not known, before the first write()
+  /// By cluster that this rank gathered for: the iteration, and a checksum of `coupled` and `read`.
   std::map<ClusterId, std::pair<int, std::uint64_t>> last_;
 };
 

@@ -33,6 +33,25 @@ Scene building() {
   return scene;
 }
 
+TEST(LuminaireFiles, AFileThatTheModelNamesComesBeforeTheTypeAndTakesTheLampsWholeFlux) {
+  const TemporaryFolder folder;
+  folder.write("Unknown.ies", ies(100));
+  folder.write("Panel 600.ies", ies(200));
+  Scene scene = building();
+  scene.building.luminaires[2].file = "Panel 600";
+  scene.building.luminaires[0].file = "not there";
+  // Of the lamp's 500 lm the model's own distribution lets 400 out.
+  scene.lights[1].distribution =
+      std::make_shared<const IntensityDistribution>(spot_distribution(0.1, 0.2));
+  scene.lights[1].intensity = Spectrum(3, 400.0 / (4 * pi));
+  Warnings warnings;
+  match_luminaires(scene, folder.file(""), warnings);
+  ASSERT_TRUE(scene.lights[1].distribution);
+  EXPECT_GT(scene.lights[1].distribution->intensity(Vec3(0, 0, 1)), 150.0);
+  EXPECT_NEAR(flux_of(scene.lights[1]), 500.0, 1e-9);
+  EXPECT_THAT(all_warnings(warnings), HasSubstr("lamp type \"not there\" (1 of them)"));
+}
+
 TEST(LuminaireFiles, AreFoundByTypeWhateverCaseAndSigns) {
   const TemporaryFolder folder;
   folder.write("downlight_600.ies", ies(100));

@@ -191,6 +191,20 @@ TEST(MakePieces, RoundedCoordinatesOfABuildingStayPlanar) {
   EXPECT_EQ(made.warnings, "");
 }
 
+TEST(MakePieces, ASpikeDoesNotMakeABentPolygonPlanar) {
+  // Without its spike the polygon is 1 m wide and bent by 5 cm; with it, 1 km.
+  Scene scene;
+  scene.surfaces = {
+      grey_surface(rectangle(0, 0, 2000, 2000)),
+      grey_surface({{0, 0, 3}, {1000, 0, 3}, {0, 0, 3}, {1, 0, 3}, {1, 1, 3.1}, {0, 1, 3}})};
+  const Made made = make(scene);
+  ASSERT_EQ(made.pieces.size(), 3u);
+  for (const Piece& p : made.pieces) {
+    const Plane plane = plane_of(p.polygon);
+    for (const Vec3& v : p.polygon) EXPECT_NEAR(plane.signed_distance(v), 0.0, 1e-9);
+  }
+}
+
 TEST(MakePieces, BowtieIsRefusedByName) {
   const std::string fault = input_error([] { make_file("nonconvex.json"); });
   EXPECT_THAT(fault, HasSubstr("surfaces[11] \"bowtie\".vertices: the polygon crosses itself"));

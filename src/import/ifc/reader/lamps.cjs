@@ -16,19 +16,58 @@ function fixturesOf(model) {
 
 const fluxNames = /^(total|contributed|initial)? ?(luminous|lamp|luminaire)? ?(luminous)? ?flux$|^lichtstrom$|^lumens?$/i;
 
-/** Light sources among a fixture's shapes: [{flux, at}], at in the fixture's own axes; undefined within a mapped shape. */
+/** A name as in a URL, where it is one. */
+function decoded(name) {
+  try { return decodeURIComponent(name); } catch { return name; }
+}
+
+/** A light source's intensities, as a scene has them but in candela for 1000 lumens of the lamp; undefined where it has none. */
+function distributionOf(model, source) {
+  const listed = list => [plain(list) ?? []].flat().map(Number);
+  const data = model.line(plain(source.LightDistributionDataSource));
+  const rows = [plain(data?.DistributionData) ?? []].flat().map(id => model.line(id)).filter(row => row)
+    .map(row => ({plane: Number(plain(row.MainPlaneAngle)), angles: listed(row.SecondaryPlaneAngle), candela: listed(row.LuminousIntensity)}))
+    .sort((a, b) => a.plane - b.plane);
+  if (rows.length === 0) return undefined;
+  // Many programs write degrees, whatever the unit that they name.
+  const largest = Math.max(...rows.flatMap(row => [row.plane, ...row.angles]).map(Math.abs));
+  const unit = (model.unitFactor('PLANEANGLEUNIT') ?? 1) * 180 / Math.PI;
+  const inDegrees = Math.abs(unit - 1) < 1e-4 || largest * unit > 361;
+  const degrees = angle => inDegrees ? angle : +(angle * unit).toFixed(4);
+  return {type: /^TYPE_[ABC]$/.exec(plain(data.LightDistributionCurve))?.[0].slice(5) ?? 'C',
+          planes: rows.map(row => degrees(row.plane)), angles: rows.map(row => row.angles.map(degrees)),
+          candela: rows.map(row => row.candela)};
+}
+
+/** The axes of a placement: x, y, z by columns, in those of what it is placed in. */
+function axesOf(model, position) {
+  const ratios = reference => [plain(model.line(plain(reference))?.DirectionRatios) ?? []].flat().map(Number);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const [axis, reference] = [ratios(position?.Axis), ratios(position?.RefDirection)];
+  const z = axis.length === 3 ? axis : [0, 0, 1];
+  const along = reference.length === 3 ? reference : Math.abs(z[0]) < 0.9 * Math.hypot(...z) ? [1, 0, 0] : [0, 1, 0];
+  const unit = v => v.map(c => c / (Math.hypot(...v) || 1));
+  const y = unit(cross(z, along));
+  return {x: unit(cross(y, z)), y, z: unit(z)};
+}
+
+/** Light sources among a fixture's shapes: [{flux, at, axes, distribution, file}], at and axes in the fixture's own axes,
+    undefined within a mapped shape; file: the name, without folder and ending, of the photometric file that it refers to. */
 function sourcesOf(model, id, depth = 0) {
   const line = depth > 8 ? null : model.line(id);
   if (!line) return [];
   const list = value => [plain(value) ?? []].flat().filter(item => typeof item === 'number');
   if (typeof plain(line.LuminousFlux) === 'number') {
-    const point = model.line(plain(model.line(plain(line.Position))?.Location));
-    return [{flux: plain(line.LuminousFlux), at: point ? plain(point.Coordinates).map(plain) : undefined}];
+    const position = model.line(plain(line.Position)), point = model.line(plain(position?.Location));
+    const location = plain(model.line(plain(line.LightDistributionDataSource))?.Location);
+    return [{flux: plain(line.LuminousFlux), at: point ? plain(point.Coordinates).map(plain) : undefined,
+             axes: axesOf(model, position), distribution: distributionOf(model, line),
+             file: typeof location === 'string' ? decoded(location.replace(/^.*[\\/]/, '').replace(/\.\w+$/, '')) : undefined}];
   }
   const own = [line.Representation, line.Representations, line.Items].flatMap(list);
   const mapped = [line.MappingSource, line.MappedRepresentation].flatMap(list);
   return [...own.flatMap(item => sourcesOf(model, item, depth + 1)),
-          ...mapped.flatMap(item => sourcesOf(model, item, depth + 1)).map(({flux}) => ({flux}))];
+          ...mapped.flatMap(item => sourcesOf(model, item, depth + 1)).map(source => ({...source, at: undefined, axes: undefined}))];
 }
 
 /** Where a lamp shines from: below its shape, so that it does not stand in its own body; else where its light sources are,
@@ -54,9 +93,14 @@ function luminairesOf(model, shapes, warn) {
     const flux = model.number(id, n => fluxNames.test(n)) ?? sources.reduce((sum, source) => sum + source.flux, 0);
     const place = placeOf(model, box, matrix, sources);
     if (!place) warn(`lamp "${name}"`, 'has neither a shape nor a place: left out');
-    // A fixture hangs along its own z axis.
-    const axes = matrix ? {aim: [-matrix[8], -matrix[9], -matrix[10]], up: [matrix[4], matrix[5], matrix[6]]} : {};
-    return {name, type: type ?? '', p: place, flux_lm: flux > 0 ? flux : 0, ...axes};
+    // All of a fixture's sources are one lamp: the first that tells a distribution speaks for them.
+    const told = sources.find(source => source.distribution), {file} = sources.find(source => source.file) ?? {};
+    // A fixture hangs along its own z axis, a light source along that of its placement in the fixture.
+    const turned = ([x, y, z]) => [0, 1, 2].map(k => matrix[k] * x + matrix[4 + k] * y + matrix[8 + k] * z);
+    const own = told?.axes ?? {y: [0, 1, 0], z: [0, 0, 1]};
+    const axes = matrix ? {aim: turned(own.z).map(c => -c), up: turned(own.y)} : {};
+    return {name, type: type ?? '', p: place, flux_lm: flux > 0 ? flux : 0, ...axes,
+            ...(told ? {distribution: told.distribution} : {}), ...(file ? {file} : {})};
   }).filter(lamp => lamp.p);
 }
 

@@ -66,19 +66,21 @@ class Model {
   }
 
   /** Metres in the model's unit of length. Shapes come in metres; places of products do not. */
-  get metresPerUnit() { return this.metres ??= this.findMetres(); }
-  findMetres() {
-    const metres = unit => {
+  get metresPerUnit() { return this.metres ??= this.unitFactor('LENGTHUNIT') ?? 1; }
+  /** A unit of the model in units of the SI (metres, radians); undefined where the model names none. */
+  unitFactor(type) {
+    const factorOf = unit => {
       const factor = this.line(plain(this.line(unit)?.ConversionFactor));
-      if (factor) return Number(plain(factor.ValueComponent)) * metres(plain(factor.UnitComponent));
+      if (factor) return Number(plain(factor.ValueComponent)) * factorOf(plain(factor.UnitComponent));
       return prefixes[plain(this.line(unit)?.Prefix)] ?? 1;
     };
     for (const id of this.ids('IFCUNITASSIGNMENT')) {
-      const unit = [plain(this.line(id)?.Units) ?? []].flat().find(u => plain(this.line(u)?.UnitType) === 'LENGTHUNIT');
-      if (unit) return metres(unit);
+      const unit = [plain(this.line(id)?.Units) ?? []].flat().find(u => plain(this.line(u)?.UnitType) === type);
+      if (unit) return factorOf(unit);
     }
-    return 1;
+    return undefined;
   }
+
   /** The matrix from a product's own axes to the world's, by columns, in the model's unit; undefined where it has no place. */
   placement(id) {
     const place = plain(this.line(id)?.ObjectPlacement);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numbers>
+#include <string>
 
 #include "unit/scene/test_scenes.hpp"
 
@@ -240,6 +241,108 @@ TEST_F(IfcImport, FixturesWithoutABodyShineFromTheirPlace) {
       "#531=IFCLIGHTSOURCESPOT('beam',#530,$,1000.,#1,100.,0.,0.,0.,#13,1.,0.5,0.3);\n";
   EXPECT_THAT(import(model(wall + spot)).warnings,
               HasSubstr("IfcLightSourceSpot \"beam\": tells no luminous flux: left out"));
+}
+
+/// A fixture of type T5 whose light source, of 2500 lm, stands along `axis` and has `data` (#515).
+std::string fixture(const std::string& data, const std::string& axis = "0.,0.,1.") {
+  return "#500=IFCCARTESIANPOINT((1000.,2000.,2500.));\n#501=IFCAXIS2PLACEMENT3D(#500,$,$);\n"
+         "#502=IFCLOCALPLACEMENT(#8,#501);\n#510=IFCCOLOURRGB($,1.,1.,1.);\n"
+         "#507=IFCDIRECTION((" +
+         axis +
+         "));\n"
+         "#508=IFCCARTESIANPOINT((0.,0.,0.));\n#509=IFCAXIS2PLACEMENT3D(#508,#507,$);\n"
+         "#511=IFCLIGHTSOURCEGONIOMETRIC('n',#510,$,$,#509,$,6000.,2500.,.LIGHTEMITTINGDIODE.,"
+         "#515);\n#512=IFCSHAPEREPRESENTATION(#3,'Lighting','LightSource',(#511));\n"
+         "#513=IFCPRODUCTDEFINITIONSHAPE($,$,(#512));\n"
+         "#514=IFCLIGHTFIXTURE('0000000000000000000050',$,'a',$,'T5',#502,#513,$,$);\n" +
+         data;
+}
+
+/// A cosine about the axis, of `lumens` for 1000 lm of the lamp, at angles in units of `degrees`.
+std::string cosine(double lumens, double degrees = 1.0, int last = 90) {
+  std::string angles, candela;
+  for (int angle = 0; angle <= last; angle += 5) {
+    const char* comma = angle > 0 ? "," : "";
+    angles += comma + std::to_string(angle / degrees);
+    candela += comma + std::to_string(lumens / std::numbers::pi *
+                                      std::max(0.0, std::cos(angle * std::numbers::pi / 180.0)));
+  }
+  return "(" + angles + "),(" + candela + ")";
+}
+
+std::string distribution(const std::string& first, const std::string& second = "") {
+  const std::string more = second.empty() ? "" : ",#517";
+  return "#515=IFCLIGHTINTENSITYDISTRIBUTION(.TYPE_C.,(#516" + more + "));\n" +
+         "#516=IFCLIGHTDISTRIBUTIONDATA(" + first + ");\n" +
+         (second.empty() ? "" : "#517=IFCLIGHTDISTRIBUTIONDATA(" + second + ");\n");
+}
+
+/// A unit of angles of so many radians.
+std::string angle_unit(const std::string& radians) {
+  return "#700=IFCSIUNIT(*,.PLANEANGLEUNIT.,$,.RADIAN.);\n#701=IFCUNITASSIGNMENT((#704));\n"
+         "#702=IFCMEASUREWITHUNIT(IFCPLANEANGLEMEASURE(" +
+         radians +
+         "),#700);\n"
+         "#703=IFCDIMENSIONALEXPONENTS(0,0,0,0,0,0,0);\n"
+         "#704=IFCCONVERSIONBASEDUNIT(#703,.PLANEANGLEUNIT.,'u',#702);\n";
+}
+
+TEST_F(IfcImport, LightSourcesTellTheirDistributions) {
+  const auto light_of = [&](const std::string& entities) {
+    const Imported imported = import(model(wall + entities));
+    EXPECT_EQ(imported.scene.lights.size(), 1u);
+    return imported.scene.lights.at(0);
+  };
+  const auto towards = [](const LightSource& light, const Vec3& w) {
+    return light.intensity[0] * relative_intensity(light, glm::normalize(w));
+  };
+  const Vec3 down(0, 0, -1);
+  // 80% of the lamp's 2500 lm leave the luminaire (linear between angles: 0.1% less).
+  for (const LightSource& light :
+       {light_of(fixture(distribution("0.," + cosine(800.0)))),
+        light_of(angle_unit("1.") +
+                 fixture(distribution("0.," + cosine(800.0, 180.0 / std::numbers::pi)))),
+        light_of(angle_unit("0.01745329252") +
+                 fixture(distribution("0.," + cosine(800.0, 1.0, 180))))}) {
+    ASSERT_NE(light.distribution, nullptr);
+    EXPECT_NEAR(4.0 * std::numbers::pi * light.intensity[0], 2000.0, 5.0);
+    EXPECT_NEAR(towards(light, down), 2000.0 / std::numbers::pi, 0.01);
+    EXPECT_EQ(towards(light, -down), 0.0);
+  }
+  // Planes in any order; a light source that stands on its head shines up.
+  const std::string dark = "180.,(0.,90.),(0.,0.)", bright = "0.,(0.,90.),(0.,300.)";
+  for (const std::string& planes : {distribution(dark, bright), distribution(bright, dark)}) {
+    const LightSource light = light_of(fixture(planes));
+    EXPECT_GT(towards(light, light.frame.right + down),
+              10.0 * towards(light, -light.frame.right + down));
+  }
+  const LightSource uplight = light_of(fixture(distribution("0.," + cosine(800.0)), "0.,0.,-1."));
+  EXPECT_NEAR(towards(uplight, -down), 2000.0 / std::numbers::pi, 0.01);
+  EXPECT_EQ(towards(uplight, down), 0.0);
+}
+
+TEST_F(IfcImport, LightDistributionsThatCannotBeAreTold) {
+  const Imported uneven =
+      import(model(wall + fixture(distribution("0.,(0.,90.),(9.,9.)", "90.,(0.,80.),(9.,9.)"))));
+  ASSERT_EQ(uneven.scene.lights.size(), 1u);
+  EXPECT_EQ(uneven.scene.lights[0].distribution, nullptr);
+  EXPECT_THAT(uneven.warnings,
+              HasSubstr("lamp \"a\": has a light distribution that cannot be used"));
+  for (const double lumens : {2000.0, 0.8}) {  // candela, and candela for one lumen
+    const Imported other = import(model(wall + fixture(distribution("0.," + cosine(lumens)))));
+    ASSERT_NE(other.scene.lights.at(0).distribution, nullptr);
+    EXPECT_NEAR(4.0 * std::numbers::pi * other.scene.lights[0].intensity[0], 2500.0, 1e-6);
+    EXPECT_THAT(other.warnings, HasSubstr("lm for 1000 lm of the lamp"));
+  }
+}
+
+TEST_F(IfcImport, LightSourcesNameTheirPhotometricFiles) {
+  const Imported named = import(model(
+      wall +
+      fixture("#515=IFCDOCUMENTREFERENCE('http://lamps.example/Panel%20600.ies',$,$,$,$);\n")));
+  ASSERT_EQ(named.scene.building.luminaires.size(), 1u);
+  EXPECT_EQ(named.scene.building.luminaires[0].file, "Panel 600");
+  EXPECT_EQ(named.scene.building.luminaires[0].type, "T5");
 }
 
 TEST_F(IfcImport, DoorsMayStandOpen) {

@@ -1,4 +1,4 @@
-#include "cells/rooms/smaller_parts.hpp"
+#include "base/smaller_parts.hpp"
 
 #include <gtest/gtest.h>
 

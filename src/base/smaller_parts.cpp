@@ -1,7 +1,8 @@
-#include "cells/rooms/smaller_parts.hpp"
+#include "base/smaller_parts.hpp"
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace enfilade {
 namespace {

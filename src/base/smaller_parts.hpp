@@ -1,4 +1,4 @@
-// The connected parts of a graph but the largest one, in time that grows with them alone.
+// The connected parts of a graph but the largest one, without walking through that.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,9 @@ struct PartGraph {
 };
 
 /// Returns the nodes, ascending, of all connected parts that hold one of `starts` but the largest
-/// of these parts. The searches from all starts go on by turns, that of the fewest nodes first,
-/// until one is left: it has what the others have not.
+/// of these parts. Searches from all starts take turns, the one that has found the fewest nodes
+/// first. When one is left, its part is taken to have all of graph.whole that the others have not,
+/// and the search ends if that is the most: a part without a start counts as its own.
 std::vector<std::uint32_t> smaller_parts(std::span<const std::uint32_t> starts,
                                          const PartGraph& graph);
 
