@@ -211,15 +211,7 @@ class StairwellFinder {
     const PartGraph graph{
         [&](std::uint32_t leaf, const auto& take) { for_each_open_to(leaf, room, take); },
         [&](std::uint32_t leaf) { return volume_of(leaf); }, room_volume(room)};
-    for (const std::uint32_t leaf : smaller_parts(around, graph)) {
-      if (touches(leaf, well)) move(leaf, well);
-    }
-  }
-
-  bool touches(std::uint32_t leaf, std::uint32_t group) const {
-    bool any = false;
-    for_each_open_to(leaf, group, [&](std::uint32_t) { any = true; });
-    return any;
+    for (const std::uint32_t leaf : smaller_parts(around, graph)) move(leaf, well);
   }
 
   void move(std::uint32_t leaf, std::uint32_t well) {
