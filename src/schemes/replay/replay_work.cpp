@@ -22,8 +22,7 @@ void ReplayWork::begin(const IterationPlan& plan, std::span<const double>) {
   iteration_ = plan.iteration;
   far_light_.clear();
   clusters_.set_committed(plan.iteration - 1);
-  if (shared_->recording.method.coarse_correction)
-    coarse_.clear();
+  if (shared_->recording.method.coarse_correction) coarse_.clear();
   resident_.set_correction({});
   resident_.set_jacobi(shared_->recording.method.uses_jacobi(plan, shared_->unknowns));
 }
