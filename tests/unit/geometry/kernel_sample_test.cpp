@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "geometry/form_factor.hpp"
+#include "geometry/polygon.hpp"
 #include "unit/statistics.hpp"
 
 namespace enfilade {
