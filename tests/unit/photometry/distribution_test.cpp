@@ -53,6 +53,23 @@ TEST(IntensityDistribution, IsThatOfTheTableBetweenItsAngles) {
   EXPECT_EQ(d.intensity({0.0, 0.0, -1.0}), 0.0);
 }
 
+TEST(IntensityDistribution, FluxOfUnevenPlanesIsTheIntegralOfTheIntensities) {
+  const IntensityDistribution d =
+      of(PhotometryType::c, {0, 30, 180, 360}, steps(0, 180, 5), [](double c, double g) {
+        return (c == 30 ? 9.0 : c == 180 ? 4.0 : 1.0) * (1.0 + std::cos(radians(g)));
+      });
+  constexpr int n = 400;
+  double flux = 0.0;  // by squares of equal solid angle
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const double z = 1.0 - 2.0 * (i + 0.5) / n;
+      flux += 4.0 * pi / (n * n) *
+              d.intensity(direction(360.0 * (k + 0.5) / n, std::acos(z) * 180.0 / pi));
+    }
+  }
+  EXPECT_NEAR(d.flux(), flux, 1e-3 * flux);
+}
+
 TEST(IntensityDistribution, TypesAAndBTurnAboutTheirOwnAxes) {
   // In both, 0 and 0 is the aim, horizontal angles go to the right (x), vertical ones up (y).
   for (const PhotometryType type : {PhotometryType::a, PhotometryType::b}) {
