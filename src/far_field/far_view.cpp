@@ -43,8 +43,7 @@ TreeSight::TreeSight(const BuildingTree& tree, const CellSights& sights, std::ve
   }
   std::sort(places_.begin(), places_.end());
   places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-  places_.shrink_to_fit();  // each cluster that sticks out of its cell had added one, most of them
-                            // again
+  places_.shrink_to_fit();  // many clusters had added the same place
 }
 
 bool TreeSight::sees_cluster(const CellSights& sights, ClusterId cluster) const {
