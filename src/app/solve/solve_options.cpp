@@ -123,8 +123,7 @@ void add_method_options(OptionGroup& group, SolveOptions& o) {
   group.add("--order", o.order,
             "Order in which a rank's clusters gather: travelling-salesman, greedy, random, input "
             "(as numbered; the default of one rank that may keep all clusters in memory), "
-            "backtracking (depth "
-            "first), unshot-energy (where most light waits)",
+            "backtracking (depth first), unshot-energy (where most light waits)",
             CLI::IsMember(texts(order_names())));
   group.flag("--no-steal", o.no_steal,
              "A rank that is out of work waits, and takes none from the others");
