@@ -29,7 +29,6 @@ TEST(PointToPolygon, IsZeroFromBehindAndBelowTheHorizon) {
 }
 
 TEST(PointToPolygon, PartsOfAClosedBoxSumToOne) {
-  const Vec3 lo(0, 0, 0), hi(3, 4, 2.5);
   const std::vector<std::vector<Vec3>> walls{{{0, 0, 2.5}, {0, 4, 2.5}, {3, 4, 2.5}, {3, 0, 2.5}},
                                              {{0, 0, 0}, {0, 4, 0}, {0, 4, 2.5}, {0, 0, 2.5}},
                                              {{3, 0, 0}, {3, 0, 2.5}, {3, 4, 2.5}, {3, 4, 0}},
