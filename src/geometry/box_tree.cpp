@@ -5,6 +5,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 namespace enfilade {
 namespace {
@@ -54,19 +55,6 @@ void BoxTree::add(const Box& box) {
   if (count > few) impl_->tree.insert({tree_box(box, 0.0), static_cast<std::uint32_t>(count - 1)});
 }
 
-bool BoxTree::any_touching(const Box& box, double margin_m,
-                           const std::function<bool(std::uint32_t)>& holds) const {
-  if (impl_->boxes.size() < few) {
-    for (std::uint32_t i = 0; i < impl_->boxes.size(); ++i) {
-      if (impl_->boxes[i].overlaps(box, margin_m) && holds(i)) return true;
-    }
-    return false;
-  }
-  const auto near = bg::index::intersects(tree_box(box, margin_m));
-  return std::any_of(impl_->tree.qbegin(near), impl_->tree.qend(),
-                     [&](const TreeEntry& entry) { return holds(entry.second); });
-}
-
 std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) const {
   std::vector<std::uint32_t> found;
   if (impl_->boxes.size() < few) {
@@ -75,9 +63,9 @@ std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) co
     }
     return found;
   }
-  const auto near = bg::index::intersects(tree_box(box, margin_m));
-  for (auto it = impl_->tree.qbegin(near); it != impl_->tree.qend(); ++it)
-    found.push_back(it->second);
+  const auto take = [&](const TreeEntry& entry) { found.push_back(entry.second); };
+  impl_->tree.query(bg::index::intersects(tree_box(box, margin_m)),
+                    boost::make_function_output_iterator(take));
   std::sort(found.begin(), found.end());  // the tree's own order is nobody's business
   return found;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,9 +26,6 @@ class BoxTree {
   /// Returns the indices of the `count` boxes nearest to a point, the nearest first. Of
   /// several that are as near as the last one, any may be left out.
   std::vector<std::uint32_t> nearest(const Vec3& p, std::size_t count) const;
-  /// Whether `holds` is true of one of them.
-  bool any_touching(const Box& box, double margin_m,
-                    const std::function<bool(std::uint32_t)>& holds) const;
 
  private:
   struct Impl;

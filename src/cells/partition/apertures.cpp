@@ -36,22 +36,25 @@ class Apertures {
     add({std::move(p), box, leaf, leaf, Opening::none, n});
   }
   void add_cover(const InPlane& cover) {
-    covers_.push_back(&cover.polygon);
+    covers_.push_back(&cover);
     cover_normals_.push_back(normal(cover.polygon));
-    cover_tree_.add(cover.box);
   }
 
   void measure() {
     parent_.resize(openings_.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
+    std::vector<Box> opening_boxes, cover_boxes;
+    for (const Opening& opening : openings_) opening_boxes.push_back(opening.box);
+    for (const InPlane* cover : covers_) cover_boxes.push_back(cover->box);
+    opening_tree_ = BoxTree(opening_boxes);
+    cover_tree_ = BoxTree(cover_boxes);
     connect();
     rim_m_.assign(openings_.size(), 0.0);
     framed_m_.assign(openings_.size(), 0.0);
     std::vector<char> near_cover(openings_.size(), 0);
-    const auto any = [](std::uint32_t) { return true; };
     for (std::uint32_t i = 0; i < openings_.size(); ++i) {
       char& near = near_cover[find(i)];
-      near = near || cover_tree_.any_touching(openings_[i].box, 2.0 * reach_m_, any);
+      near = near || !cover_tree_.touching(openings_[i].box, 2.0 * reach_m_).empty();
     }
     for (std::uint32_t i = 0; i < openings_.size(); ++i) {
       if (near_cover[find(i)]) walk_rim(i);
@@ -66,10 +69,7 @@ class Apertures {
   }
 
  private:
-  void add(Opening opening) {
-    opening_tree_.add(opening.box);
-    openings_.push_back(std::move(opening));
-  }
+  void add(Opening opening) { openings_.push_back(std::move(opening)); }
   std::uint32_t find(std::uint32_t i) const {
     while (parent_[i] != i) i = parent_[i];
     return i;
@@ -92,22 +92,44 @@ class Apertures {
     // A parent is never above its child, so that one pass leads all to their roots.
     for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = parent_[parent_[i]];
   }
-  /// Whether p lies in the aperture. An opening beyond a wall that stands on the plane does not
-  /// count.
-  bool is_open(const Vec3& p, std::uint32_t whole) const {
-    return opening_tree_.any_touching({p, p}, 0.1 * reach_m_, [&](std::uint32_t i) {
-      return find(i) == whole && contains(openings_[i].polygon, openings_[i].n, p);
+  /// Openings of one aperture, and covers, that a part of its rim may run into. An opening beyond a
+  /// wall that stands on the plane is of another aperture.
+  struct Near {
+    std::vector<std::uint32_t> openings, covers;
+  };
+  Near near_rim(const Opening& opening, std::uint32_t whole) const {
+    Near found{opening_tree_.touching(opening.box, reach_m_ + open_margin_m()),
+               cover_tree_.touching(opening.box, 2.0 * reach_m_)};
+    std::erase_if(found.openings, [&](std::uint32_t i) { return find(i) != whole; });
+    return found;
+  }
+  /// Replaces `found` by those of `rim` that an edge may run into.
+  void narrow(const Near& rim, const Box& edge, Near& found) const {
+    found.openings.clear();
+    found.covers.clear();
+    for (const std::uint32_t i : rim.openings) {
+      if (openings_[i].box.overlaps(edge, open_margin_m())) found.openings.push_back(i);
+    }
+    for (const std::uint32_t k : rim.covers) {
+      if (covers_[k]->box.overlaps(edge, reach_m_)) found.covers.push_back(k);
+    }
+  }
+  double open_margin_m() const { return 0.1 * reach_m_; }
+  bool is_open(const Vec3& p, const Near& near) const {
+    return std::any_of(near.openings.begin(), near.openings.end(), [&](std::uint32_t i) {
+      const Opening& o = openings_[i];
+      return o.box.overlaps({p, p}, open_margin_m()) && contains(o.polygon, o.n, p);
     });
   }
-  bool is_covered(const Vec3& p) const {
-    return cover_tree_.any_touching({p, p}, reach_m_, [&](std::uint32_t k) {
-      return contains(*covers_[k], cover_normals_[k], p);
+  bool is_covered(const Vec3& p, const Near& near) const {
+    return std::any_of(near.covers.begin(), near.covers.end(), [&](std::uint32_t k) {
+      return covers_[k]->box.overlaps({p, p}, reach_m_) &&
+             contains(covers_[k]->polygon, cover_normals_[k], p);
     });
   }
-  /// True where a polygon at p, beside the opening, borders on what lies before or behind the
-  /// opening: a wall, and not a joint within a floor.
+  /// True where a polygon that covers p, beside the opening, borders on what lies before or behind
+  /// the opening: a wall, and not a joint within a floor.
   bool is_frame(const Vec3& p, const Opening& opening) const {
-    if (!is_covered(p)) return false;
     return joined(leaf_at(p + reach_m_ * n_), opening.front_leaf) ||
            joined(leaf_at(p - reach_m_ * n_), opening.back_leaf);
   }
@@ -124,17 +146,23 @@ class Apertures {
     const Opening& o = openings_[i];
     const std::uint32_t whole = find(i);
     const Polygon& p = o.polygon;
+    const Near rim = near_rim(o, whole);
+    Near near;
     for (std::size_t e = 0; e < p.size(); ++e) {
       const Vec3 a = p[e], along = p[(e + 1) % p.size()] - a;
       const double length = glm::length(along);
       if (length <= reach_m_) continue;
       const Vec3 out = glm::cross(along / length, o.n) * reach_m_;
+      Box edge;
+      edge.add(a + out);
+      edge.add(a + along + out);
+      narrow(rim, edge, near);
       constexpr int steps = 8;  // points tested along an edge
       for (int k = 0; k < steps; ++k) {
         const Vec3 q = a + (k + 0.5) / steps * along + out;
-        if (is_open(q, whole)) continue;
+        if (is_open(q, near)) continue;
         rim_m_[whole] += length / steps;
-        if (is_frame(q, o)) framed_m_[whole] += length / steps;
+        if (is_covered(q, near) && is_frame(q, o)) framed_m_[whole] += length / steps;
       }
     }
   }
@@ -144,7 +172,7 @@ class Apertures {
   Vec3 n_;  ///< of the plane
   double reach_m_;
   std::vector<Opening> openings_;
-  std::vector<const Polygon*> covers_;
+  std::vector<const InPlane*> covers_;
   std::vector<Vec3> cover_normals_;
   BoxTree opening_tree_, cover_tree_;
   std::vector<std::uint32_t> parent_;
