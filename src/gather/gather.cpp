@@ -29,7 +29,7 @@ class Gatherer {
         refinement_(receiver, lights, far_view(), occluders, config.refinement,
                     result_.figures.work),
         light_(receiver.patches(), lights, far_light()),
-        closure_(receiver, far_light()),
+        closure_(receiver, far_light(), config.openness_rays),
         samples_(receiver, occluders, config.error_samples, result_.figures.work),
         refined_(receiver.links().stride()),
         flow_(bands_),

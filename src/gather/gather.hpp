@@ -10,6 +10,7 @@
 #include "coarse/far_flow.hpp"
 #include "far_field/far_view.hpp"
 #include "gather/iteration_figures.hpp"
+#include "gather/row_closure.hpp"
 #include "hierarchy/cluster_state.hpp"
 #include "links/link_refinement.hpp"
 #include "occluders/occluders.hpp"
@@ -24,6 +25,7 @@ struct GatherConfig {
   bool coarse_row = true;  ///< false: GatherResult::coarse has no entries
   /// Close the rows of form factors (row_closure.hpp). Wanted once light has reached everything.
   bool close_rows = false;
+  OpennessRays openness_rays;
   /// Per band, with closed rows: the share of its uncertain irradiance that each leaf gains (below
   /// zero: loses), so that power is conserved over the whole scene
   /// (solver/energy_conservation.hpp). Empty = none.

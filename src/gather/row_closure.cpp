@@ -13,9 +13,6 @@ namespace {
 constexpr double group_uncertainty = 0.3;
 /// A row's summed link errors count as two standard deviations.
 constexpr double deviation_of_uncertainty = 0.5;
-/// Least number of rays of a whole cluster: a narrow opening must not be missed.
-constexpr double least_rays = 512.0;
-constexpr int least_rings = 4;
 /// The transports of reflected light of a row may sum to more than its enclosed share, since what a
 /// leaf sees of a far node may be brighter than its mean; no further than to this over the leaf's
 /// reflectance, or light would grow from iteration to iteration.
@@ -36,9 +33,10 @@ RowClosure::Columns::Columns(std::size_t terms, std::size_t bands)
       uncertain_arrival(far_light + bands),
       width(uncertain_arrival + bands) {}
 
-RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far)
+RowClosure::RowClosure(ClusterState& receiver, const BuildingLight* far, const OpennessRays& rays)
     : receiver_(receiver),
       far_(far),
+      least_(rays),
       bands_(static_cast<std::size_t>(receiver.bands())),
       lead_bands_(static_cast<std::size_t>(receiver.patches().lead_bands())),
       terms_(static_cast<std::size_t>(receiver.patches().terms())),
@@ -249,7 +247,8 @@ RowClosureSums RowClosure::close(const Occluders& occluders, const Spectrum& flu
   patches.push(rows_, at_.width, 1);
   const std::size_t leaves = patches.polygons() + (patches.size() - patches.polygons()) / 2;
   const int rings = std::max(
-      least_rings, static_cast<int>(std::sqrt(0.25 * least_rays / static_cast<double>(leaves))));
+      least_.rings,
+      static_cast<int>(std::sqrt(0.25 * least_.per_cluster / static_cast<double>(leaves))));
   const std::vector<char> open = find_openings(rings, occluders, work);
   std::vector<double> arrived(gathered);  // from links at the leaf and above it
   patches.push(arrived, bands_ * terms_, patches.bands());

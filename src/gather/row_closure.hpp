@@ -11,6 +11,12 @@
 
 namespace enfilade {
 
+/// Least numbers of rays that measure how open the leaves are.
+struct OpennessRays {
+  int rings = 4;               ///< of a leaf: as of enclosed_share()
+  double per_cluster = 512.0;  ///< of its leaves together: a narrow opening must not be missed
+};
+
 /// The effect of a closure, summed over the leaves.
 struct RowClosureSums {
   Spectrum uncertain_power;  ///< per band: area times uncertain irradiance
@@ -24,7 +30,7 @@ class RowClosure {
  public:
   /// `far`: the light of clusters that are not added as shooters; null where all are. Both must
   /// outlive it.
-  RowClosure(ClusterState& receiver, const BuildingLight* far);
+  RowClosure(ClusterState& receiver, const BuildingLight* far, const OpennessRays& rays);
 
   /// Records which polygons of a shooter are lit. Shooters come in ascending order of id.
   void add_shooter(const ClusterState& shooter);
@@ -98,6 +104,7 @@ class RowClosure {
 
   ClusterState& receiver_;
   const BuildingLight* far_;
+  OpennessRays least_;
   std::size_t bands_, lead_bands_, terms_;
   Columns at_;
   std::vector<double> rows_;         ///< per node

@@ -63,6 +63,7 @@ std::vector<std::uint32_t> BoxTree::touching(const Box& box, double margin_m) co
     }
     return found;
   }
+  found.reserve(few);
   const auto take = [&](const TreeEntry& entry) { found.push_back(entry.second); };
   impl_->tree.query(bg::index::intersects(tree_box(box, margin_m)),
                     boost::make_function_output_iterator(take));

@@ -36,6 +36,8 @@ SnappedDistances snapped_distances(const Polygon& polygon, const Plane& plane, d
 void cut(const Polygon& polygon, const SnappedDistances& distance, Polygon& behind,
          Polygon* front) {
   const std::size_t count = polygon.size();
+  behind.reserve(behind.size() + count + 1);
+  if (front != nullptr) front->reserve(front->size() + count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t j = i + 1 == count ? 0 : i + 1;
     if (front != nullptr && distance[i] >= 0.0) front->push_back(polygon[i]);
@@ -85,13 +87,11 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, do
 void clip_behind(Polygon& polygon, const Plane& plane, double tolerance) {
   const SnappedDistances distance = snapped_distances(polygon, plane, tolerance);
   if (!distance.any_front) return;
-  Polygon kept;
-  if (distance.any_behind) {
-    kept.reserve(polygon.size() + 1);
-    cut(polygon, distance, kept, nullptr);
-    if (kept.size() < 3) kept.clear();
-  }
-  polygon = std::move(kept);
+  thread_local Polygon kept;  // so that a clip seldom allocates memory
+  kept.clear();
+  if (distance.any_behind) cut(polygon, distance, kept, nullptr);
+  if (kept.size() < 3) kept.clear();
+  polygon.assign(kept.begin(), kept.end());
 }
 
 void clip_front(Polygon& polygon, const Plane& plane, double tolerance) {

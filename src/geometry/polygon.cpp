@@ -71,6 +71,7 @@ Box bounds(const Polygon& polygon) {
 
 std::vector<Plane> edge_planes(const Polygon& polygon, const Vec3& n, double shortest_m) {
   std::vector<Plane> planes;
+  planes.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3& p = polygon[i];
     const Vec3 edge = polygon[(i + 1) % polygon.size()] - p;

@@ -161,7 +161,7 @@ Observation observe(std::span<const IterationSummary> history, const IterationPl
   seen.iterations_converged = bound <= iteration_tolerance(config);
   // The links' error can be measured before the iterations have converged.
   seen.good_enough_to_sample =
-      bound <= std::max(iteration_tolerance(config), w.iteration_share * config.target_error);
+      bound <= std::max(iteration_tolerance(config), w.sampled_share * config.target_error);
   const bool hold_patches = factor_to_patch_links(last, config) <= w.least_tightening &&
                             !refinement_stagnates(history, true, config);
   seen.links_error = links_error(last.error, hold_patches);

@@ -71,7 +71,10 @@ struct PlanWeights {
   double outgrown = 2.0;
   /// Share of the target error that is left to the iterations; also the floor of the flux
   /// correction.
-  double iteration_share = 0.02;
+  double iteration_share = 0.05;
+  /// Errors are sampled once the iterations have converged to this share: the sampling iteration
+  /// brings them further, and what is left counts in the samples.
+  double sampled_share = 0.1;
   /// Light counts as fully distributed once the relative change of an iteration falls below this.
   double settled_change = 0.1;
   /// Links count as stable when at most one in links_per_refined was refined in an iteration.

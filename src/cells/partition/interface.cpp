@@ -49,6 +49,8 @@ struct OpenPart {
 // Cuts the covering polygons of one facing away from `openings`; returns the area that they cover.
 double cover(std::vector<Polygon>& openings, const std::vector<const InPlane*>& covers, bool facing,
              double sliver_m) {
+  const auto covers_it = [facing](const InPlane* c) { return c->same_facing == facing; };
+  if (std::none_of(covers.begin(), covers.end(), covers_it)) return 0.0;
   const double before = total_area_m2(openings);
   std::vector<OpenPart> left;
   for (Polygon& opening : openings) {
@@ -87,6 +89,7 @@ double total_area_m2(const std::vector<Polygon>& polygons) {
 std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m) {
   std::vector<LeafInterface> all;
   const double fine = 1e-3 * sliver_m;
+  std::vector<const InPlane*> near;
   for (std::uint32_t number = 0; number < tree.cuts.size(); ++number) {
     const BspCut& cut = tree.cuts[number];
     const BspNode& node = tree.nodes[static_cast<std::size_t>(cut.node)];
@@ -101,14 +104,15 @@ std::vector<LeafInterface> find_interfaces(const BspTree& tree, double sliver_m)
         face.cut = number;
         face.n = node.plane.n;
         const Box box = bounds(common);
-        std::vector<const InPlane*> near;
+        near.clear();
         for (const InPlane& in_plane : cut.covered_by) {
           if (in_plane.box.overlaps(box, sliver_m)) near.push_back(&in_plane);
         }
         // One facing at a time for the area that each side sees; then both, for the openings.
-        face.openings = {common};
+        face.openings.push_back(common);
         face.faces_front_m2 = cover(face.openings, near, true, sliver_m);
-        std::vector<Polygon> rest = {std::move(common)};
+        std::vector<Polygon> rest;
+        rest.push_back(std::move(common));
         face.faces_back_m2 = cover(rest, near, false, sliver_m);
         cover(face.openings, near, false, sliver_m);
         face.open_m2 = total_area_m2(face.openings);

@@ -106,7 +106,8 @@ bool PictureLight::add(const Layer& layer, int x, int y, std::uint32_t plane,
   const int left = std::max(column - around, 0),
             right = std::min(column + around, layer.columns - 1);
   double total = 0.0;
-  Spectrum sum(bands_, 0.0);
+  thread_local Spectrum sum;
+  sum.assign(bands_, 0.0);
   for (int j = std::max(row - around, 0); j <= std::min(row + around, layer.rows - 1); ++j) {
     const std::size_t cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(layer.columns);
     for (std::size_t i = layer.first[cell + static_cast<std::size_t>(left)];

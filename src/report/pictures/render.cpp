@@ -26,6 +26,13 @@ class Painter {
       : solved_(solved),
         config_(config),
         view_(solved, camera, static_cast<double>(config.width) / config.height) {
+    Spectrum one(bands());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      one[i] = 1.0;
+      weights_.push_back(
+          {display_rgb(in_bands_of_file(solved.scene, one)), one_value(solved.scene, one)});
+      one[i] = 0.0;
+    }
     if (config.gather_rays <= 0) return;
     surfaces_ = std::make_unique<FirstSurfaces>(view_, config.width, config.height, config.threads,
                                                 config.seed);
@@ -41,10 +48,11 @@ class Painter {
   std::size_t gathered_places() const { return gathered_ ? gathered_->places() : 0; }
 
   void paint_row(int y, LightImage& image) const {
+    PixelPaint paint;
     for (int x = 0; x < config_.width; ++x) {
       const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(config_.width) +
                              static_cast<std::size_t>(x);
-      PixelPaint paint{x, y, image.pixels[at]};
+      paint.begin(x, y, image.pixels[at]);
       int samples = 0;
       std::uint32_t first = RayScene::no_polygon;
       // What the first ray has met needs no second one, where it tells all.
@@ -97,21 +105,33 @@ class Painter {
   /// A pixel that is being painted, with the gathered light of a polygon: it is the same for all
   /// samples that show it.
   struct PixelPaint {
-    int x, y;
-    LightImage::Pixel& pixel;
+    int x = 0, y = 0;
+    LightImage::Pixel* pixel = nullptr;
     std::uint32_t polygon = RayScene::no_polygon;
-    Spectrum e{};
+    Spectrum e, radiosity;
+    void begin(int at_x, int at_y, LightImage::Pixel& of) {
+      x = at_x;
+      y = at_y;
+      pixel = &of;
+      polygon = RayScene::no_polygon;
+    }
+  };
+  /// What one unit of a solved band adds to a pixel; all of these are linear.
+  struct BandWeights {
+    std::array<double, 3> rgb;
+    double irradiance;
   };
 
   /// Adds a sample.
   void add(const CameraView::Seen& seen, double turn, PixelPaint& paint) const {
     using What = CameraView::Seen::What;
-    LightImage::Pixel& pixel = paint.pixel;
+    LightImage::Pixel& pixel = *paint.pixel;
     if (seen.what == What::section) pixel.section += 1.0f;
     for (const CameraView::Seen::Pane& pane : seen.panes) {
       if (!pane.met.front) continue;
       const float behind = pixel.irradiance;  // that of what is seen through the pane counts
-      PixelPaint of_pane{paint.x, paint.y, pixel};
+      PixelPaint of_pane;
+      of_pane.begin(paint.x, paint.y, pixel);
       add_light({What::front, pane.met.polygon, pane.p}, pane.met.before, turn, of_pane);
       pixel.irradiance = behind;
     }
@@ -141,9 +161,11 @@ class Painter {
   }
 
   void add_radiosity(const Spectrum& b, LightImage::Pixel& pixel) const {
-    const auto rgb = display_rgb(in_bands_of_file(solved_.scene, b));
-    for (std::size_t c = 0; c < 3; ++c)
-      pixel.radiosity[c] += static_cast<float>(std::max(0.0, rgb[c]));
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < b.size(); ++i) sum += weights_[i].rgb[c] * b[i];
+      pixel.radiosity[c] += static_cast<float>(std::max(0.0, sum));
+    }
   }
 
   /// `passage`: what the panes before it pass.
@@ -152,18 +174,18 @@ class Painter {
     const PolygonRef ref = solved_.occluders.local(seen.polygon);
     const PatchForest& forest = solved_.states[ref.cluster.index()].patches();
     const PolygonFrame& frame = forest.frames()[ref.polygon];
-    Spectrum e(static_cast<std::size_t>(forest.bands()));
     const bool gathered = find_gathered(seen.polygon, paint);
-    if (gathered)
-      e = paint.e;
-    else
-      forest.evaluate(false, ref.polygon, seen.p, e);
-    Spectrum b = e;
+    Spectrum &e = paint.e, &b = paint.radiosity;
+    e.resize(bands());
+    if (!gathered) forest.evaluate(false, ref.polygon, seen.p, e);
+    b = e;
     if (!gathered && config_.smooth) smooth_irradiance(forest, ref.polygon, seen.p, turn, b);
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] = passage.band(i) * (frame.exitance[i] + frame.reflectance[i] * b[i]);
-    add_radiosity(b, paint.pixel);
-    paint.pixel.irradiance += static_cast<float>(std::max(0.0, one_value(solved_.scene, e)));
+    add_radiosity(b, *paint.pixel);
+    double irradiance = 0.0;
+    for (std::size_t i = 0; i < e.size(); ++i) irradiance += weights_[i].irradiance * e[i];
+    paint.pixel->irradiance += static_cast<float>(std::max(0.0, irradiance));
   }
 
   std::size_t bands() const {
@@ -173,6 +195,7 @@ class Painter {
   const SolvedScene& solved_;
   const RenderConfig& config_;
   CameraView view_;
+  std::vector<BandWeights> weights_;         // per band
   std::unique_ptr<FirstSurfaces> surfaces_;  // where light is gathered
   std::unique_ptr<PictureLight> gathered_;
 };

@@ -26,7 +26,7 @@ Closed closed(const std::vector<Part>& parts) {
   const Occluders occluders(clusters);
   std::vector<ClusterState> states;
   for (const Cluster& c : clusters) states.emplace_back(c, scene, Basis::constant);
-  RowClosure closure(states[0], nullptr);
+  RowClosure closure(states[0], nullptr, {});
   for (const ClusterState& s : states) closure.add_shooter(s);
   for (const Part& part : parts) {
     Link link;
