@@ -5,6 +5,16 @@
 #include "coarse/aggregate_flow.hpp"
 
 namespace enfilade {
+namespace {
+
+constexpr std::size_t few_of = 16;  ///< one unknown in so many is few
+
+}  // namespace
+
+std::vector<double>& FarUnknowns::flows(std::size_t width) const {
+  flows_.resize(std::max(flows_.size(), count() * width), 0.0);
+  return flows_;
+}
 
 /// Sums the clusters below the node; nodes that shoot as one are small, or few. A cluster with
 /// several aggregates divides what it reflects evenly among them.
@@ -57,12 +67,16 @@ void FarFlow::add(const Link& link, std::span<const float> transport,
   }
 }
 
+/// Where few unknowns of all are touched, only these are looked at: in a large building, others
+/// would take more time than all else.
 CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
   const std::size_t bands = unknowns.bands(), width = receiving_.size() * bands;
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
     return a.node != b.node ? a.node < b.node : a.first < b.first;
   });
-  std::vector<double> sums(unknowns.count() * width, 0.0), flow(width);
+  std::vector<double>& sums = unknowns.flows(width);
+  std::vector<std::uint32_t> touched;  // unknowns, some of them more than once
+  std::vector<double> flow(width);
   for (std::size_t i = 0; i < parts_.size();) {
     const std::uint32_t node = parts_[i].node;
     std::fill(flow.begin(), flow.end(), 0.0);
@@ -70,6 +84,7 @@ CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
       for (std::size_t k = 0; k < width; ++k) flow[k] += power_[parts_[i].first + k];
     }
     const FarUnknowns::Parts& shares = unknowns.of(node);
+    touched.insert(touched.end(), shares.unknown.begin(), shares.unknown.end());
     for (std::size_t u = 0; u < shares.unknown.size(); ++u) {
       double* sum = sums.data() + shares.unknown[u] * width;
       const double* share = shares.share.data() + u * bands;
@@ -78,12 +93,19 @@ CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
     }
   }
   CoarseRow::Far far;
-  for (std::size_t u = 0; u < unknowns.count(); ++u) {
+  const auto take = [&](std::uint32_t u) {
     const auto first = sums.begin() + static_cast<std::ptrdiff_t>(u * width);
     const auto end = first + static_cast<std::ptrdiff_t>(width);
-    if (std::all_of(first, end, [](double f) { return f == 0.0; })) continue;
-    far.columns.push_back(static_cast<std::uint32_t>(u));
+    if (std::all_of(first, end, [](double f) { return f == 0.0; })) return;
+    far.columns.push_back(u);
     far.flows.insert(far.flows.end(), first, end);
+    std::fill(first, end, 0.0);
+  };
+  if (touched.size() * few_of < unknowns.count()) {
+    std::sort(touched.begin(), touched.end());
+    for (const std::uint32_t u : touched) take(u);
+  } else {
+    for (std::uint32_t u = 0; u < unknowns.count(); ++u) take(u);
   }
   return far;
 }
