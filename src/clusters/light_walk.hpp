@@ -56,7 +56,7 @@ class LightWalk {
   BoxTree places_;                       ///< of all sources, lights first
   std::vector<std::size_t> last_found_;  ///< per cell: a light or, after them, an emitter
   std::vector<std::vector<std::uint32_t>> nearest_;  ///< per cell, once it is asked for: sources
-  std::vector<std::size_t> passed_;  ///< by the present walk
+  std::vector<std::size_t> passed_;                  ///< by the present walk
   std::uint64_t steps_ = 0;
   RayScene rays_;
 };

@@ -16,7 +16,7 @@ namespace enfilade {
 
 /// 12: surplus of error samples. 11: segments. 10: kept light, extrapolation. 9: sums of rows,
 /// relaxation. 8: checksum, run and preparation. 7: the building's hierarchy.
-inline constexpr int manifest_version = 12;
+inline constexpr int manifest_version = 13;
 
 struct Manifest {
   int iteration = 0;  ///< the last committed one; 0 = the state before the first

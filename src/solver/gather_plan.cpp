@@ -29,7 +29,7 @@ GatherConfig gather_config(const IterationPlan& plan, const GatherSettings& sett
   config.refine = plan.refine;
   config.coarse_row = method.coarse_correction;
   config.close_rows = plan.close_rows;
-  config.openness_rays = settings.openness_rays;
+  config.openness_rays = plan.openness_rays;
   config.flux_correction = plan.flux_correction;
   config.relaxation = plan.relaxation;
   config.extrapolation = plan.extrapolation;

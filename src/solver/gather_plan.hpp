@@ -18,7 +18,6 @@ struct GatherSettings {
   double min_area_m2 = 0.0;  ///< no patch is split below this
   OracleKind oracle = OracleKind::error;
   VisibilityMethod visibility = VisibilityMethod::exact;
-  OpennessRays openness_rays;
   /// Where errors matter; none = everywhere alike.
   std::vector<Probe> target_points;
 };

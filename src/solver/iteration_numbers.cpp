@@ -12,6 +12,8 @@ std::vector<double> to_numbers(const IterationPlan& plan) {
                                  plan.refine ? 1.0 : 0.0,
                                  plan.renew_far ? 1.0 : 0.0,
                                  plan.close_rows ? 1.0 : 0.0,
+                                 static_cast<double>(plan.openness_rays.rings),
+                                 plan.openness_rays.per_cluster,
                                  plan.sample ? 1.0 : 0.0,
                                  static_cast<double>(plan.sample_rays),
                                  plan.received_power,
@@ -33,6 +35,8 @@ IterationPlan next_plan_of(NumberReader& n) {
   plan.refine = n.next() != 0.0;
   plan.renew_far = n.next() != 0.0;
   plan.close_rows = n.next() != 0.0;
+  plan.openness_rays.rings = static_cast<int>(n.next());
+  plan.openness_rays.per_cluster = n.next();
   plan.sample = n.next() != 0.0;
   plan.sample_rays = static_cast<int>(n.next());
   plan.received_power = n.next();

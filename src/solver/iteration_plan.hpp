@@ -18,6 +18,7 @@ struct IterationPlan {
   bool refine = true;
   bool renew_far = true;        ///< RefinementConfig::renew_far
   bool close_rows = false;      ///< GatherConfig::close_rows
+  OpennessRays openness_rays;   ///< the same in all iterations of a run
   bool sample = false;          ///< sample the error: ErrorSamples
   int sample_rays = 0;          ///< per sampled point
   double received_power = 0.0;  ///< power received in the previous iteration
@@ -69,12 +70,9 @@ struct PlanWeights {
   /// Once light is everywhere, the first tolerance is kept until the light has grown by more than
   /// this, as it does where nearly all is reflected.
   double outgrown = 2.0;
-  /// Share of the target error that is left to the iterations; also the floor of the flux
-  /// correction.
+  /// Share of the target error that is left to the iterations (what fine_share leaves); also the
+  /// floor of the flux correction.
   double iteration_share = 0.05;
-  /// Errors are sampled once the iterations have converged to this share: the sampling iteration
-  /// brings them further, and what is left counts in the samples.
-  double sampled_share = 0.1;
   /// Light counts as fully distributed once the relative change of an iteration falls below this.
   double settled_change = 0.1;
   /// Links count as stable when at most one in links_per_refined was refined in an iteration.

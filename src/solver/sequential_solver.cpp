@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 #include "gather/emitted_power.hpp"
@@ -86,7 +85,7 @@ GatherResult Solver::gather(ClusterState& receiver, std::span<const ClusterState
 
 IterationPlan Solver::iterate(const IterationPlan& plan) {
   const GatherConfig config =
-      gather_config(plan, config_.gather_settings(), config_.method, area_m2_, importance_);
+      gather_config(plan, config_.gather, config_.method, area_m2_, importance_);
   std::vector<ClusterState> committed;
   const bool jacobi = config_.method.uses_jacobi(plan, unknowns_);
   if (jacobi) {
@@ -121,18 +120,6 @@ IterationPlan Solver::iterate(const IterationPlan& plan) {
 std::uint64_t default_patch_links(double target_error) {
   constexpr double links = 200000.0, at_error = 0.02;
   return static_cast<std::uint64_t>(links * std::min(1.0, at_error / target_error));
-}
-
-/// The share that n stratified rays find has a standard deviation of at most 0.5 n^(-3/4). For a
-/// leaf it comes to 0.3 of a large target error; a small one is left to the gain that the deficits
-/// of open rows have.
-GatherSettings SolverConfig::gather_settings() const {
-  const double of_leaf = std::pow(0.5 / (0.3 * target_error), 4.0 / 3.0);
-  GatherSettings settings = gather;
-  settings.openness_rays.rings =
-      static_cast<int>(std::lround(std::clamp(std::sqrt(0.25 * of_leaf), 2.0, 4.0)));
-  settings.openness_rays.per_cluster = std::clamp(10.0 / target_error, 64.0, 512.0);
-  return settings;
 }
 
 PlanConfig plan_config(const SolverConfig& config, const Scene& scene,

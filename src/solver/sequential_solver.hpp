@@ -30,8 +30,6 @@ struct SolverConfig {
   IterationMethod method;
   Hierarchy hierarchy = Hierarchy::building;
 
-  /// `gather`, with what follows the target error.
-  GatherSettings gather_settings() const;
   /// Values read off patches do not count where only the light at points does.
   std::uint64_t most_patch_links() const {
     if (!gather.target_points.empty()) return 1;

@@ -41,6 +41,7 @@ std::vector<ClusterState> shares_by_jacobi(const std::string& run, Prepared wide
   GatherConfig config;
   config.refine = config.coarse_row = false;
   config.close_rows = last.close_rows;
+  config.openness_rays = last.openness_rays;
   for (int i = 0; i < wide.scene.bands && !last.flux_correction.empty(); ++i)
     config.flux_correction.push_back(last.flux_correction[0]);
   constexpr int iterations = 60;  // 0.7^60 < 1e-9

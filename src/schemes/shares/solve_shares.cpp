@@ -36,6 +36,7 @@ class SharePlanner {
       : enough_(enough), radius_(reflected_share(last.figures)) {
     plan_.refine = plan_.renew_far = false;
     plan_.close_rows = last.plan.close_rows;
+    plan_.openness_rays = last.plan.openness_rays;
     for (std::size_t i = 0; i < repeats; ++i) {
       plan_.flux_correction.insert(plan_.flux_correction.end(), last.plan.flux_correction.begin(),
                                    last.plan.flux_correction.end());

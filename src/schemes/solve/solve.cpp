@@ -134,7 +134,7 @@ RunRecord solve(const SolveConfig& config, const Prepared& prepared, Communicato
   const SchemeParts parts{config, prepared, own, cost, store, communicator, machine};
   const std::unique_ptr<ParallelScheme> scheme = make_scheme(parts);
   CostRecorder recorder(layout.run, run, communicator.rank(), config.method);
-  GatherSettings gather = config.gather_settings();
+  GatherSettings gather = config.gather;
   gather.basis = basis;
   const Hierarchy hierarchy = manifest ? manifest->hierarchy : config.topmost();
   RadiosityWork work(prepared, layout, scheme->files(), machine, &recorder,
