@@ -11,10 +11,7 @@
 namespace enfilade {
 namespace {
 
-/// A piece counts as dark for walks that come to it where so many have passed it in vain, and none
-/// with success.
-constexpr std::uint8_t enough_vain_walks = 32;
-constexpr int steps_from_dark = 32;
+constexpr int steps_from_dark = 8;
 /// Lights and emitting pieces that count as near to a cell: those of a room and its neighbours.
 constexpr std::size_t near_sources = 16;
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -64,38 +61,22 @@ bool LightWalk::finds_light(std::size_t piece, const Vec3& p, const Vec3& n, int
 }
 
 bool LightWalk::one_walk(std::size_t piece, Vec3 p, Vec3 n, Random& random) {
-  passed_.assign(1, piece);
-  bool found = false;
-  for (int steps = 0; steps < max_bounces_ && !found;) {
+  int steps = 0;
+  while (steps < max_bounces_) {
     p += offset_m_ * n;
     ++steps_;
-    found = finds_light_from(piece, p, n, random);
-    if (found) break;
+    if (finds_light_from(piece, p, n, random)) return true;
     const double r2 = random.uniform(), turn = random.uniform();
     const Vec3 d = cosine_direction(n, r2, turn);
     const RayHit hit = rays_.closest(p, d);
     if (!hit.any() || !hit.front) return false;
     piece = hit.polygon;
-    found = faces_[piece].emits;
-    steps += is_dark(piece) ? steps_from_dark : 1;
-    passed_.push_back(piece);
+    if (faces_[piece].emits) return true;
+    steps += faces_[piece].dark ? steps_from_dark : 1;
     p += hit.distance_m * d;
     n = faces_[piece].n;
   }
-  for (const std::size_t i : passed_) {
-    Face& face = faces_[i];
-    if (found) {
-      face.lit = true;
-    } else if (face.vain_walks < enough_vain_walks) {
-      ++face.vain_walks;
-    }
-  }
-  return found;
-}
-
-bool LightWalk::is_dark(std::size_t piece) const {
-  const Face& face = faces_[piece];
-  return face.dark || (!face.lit && face.vain_walks >= enough_vain_walks);
+  return false;
 }
 
 /// A point is tested by many walks of many steps, so that all lights get their turn.

@@ -34,7 +34,6 @@ class LightWalk {
  private:
   bool one_walk(std::size_t piece, Vec3 p, Vec3 n, Random& random);
   bool finds_light_from(std::size_t piece, const Vec3& p, const Vec3& n, Random& random);
-  bool is_dark(std::size_t piece) const;
   std::size_t draw_source(CellId cell, const Vec3& p, Random& random);
   Vec3 place_of(std::size_t source) const;
   bool sees(std::size_t light, const Vec3& p, const Vec3& n, Random& random) const;
@@ -43,9 +42,7 @@ class LightWalk {
 
   struct Face {
     Vec3 n;
-    bool emits;
-    bool dark = false, lit = false;
-    std::uint8_t vain_walks = 0;
+    bool emits, dark = false;
   };
   std::span<const LightSource> lights_;
   std::span<const CellPiece> pieces_;
@@ -56,7 +53,6 @@ class LightWalk {
   BoxTree places_;                       ///< of all sources, lights first
   std::vector<std::size_t> last_found_;  ///< per cell: a light or, after them, an emitter
   std::vector<std::vector<std::uint32_t>> nearest_;  ///< per cell, once it is asked for: sources
-  std::vector<std::size_t> passed_;                  ///< by the present walk
   std::uint64_t steps_ = 0;
   RayScene rays_;
 };

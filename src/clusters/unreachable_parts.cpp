@@ -19,7 +19,7 @@ constexpr int points_of_part = 8;  // walks of a part start from this many strat
 constexpr int few_walks = 16;
 /// Of the steps that are left, a piece may use as many equal shares as it has contacts, or this
 /// many.
-constexpr std::size_t least_shares = 32;
+constexpr std::size_t least_shares = 16;
 constexpr double inside_share = 0.96;  // of the way from a part's centroid to such a point
 
 /// A part of a piece, and its halves where it is cut along a contact; a leaf has no children (0).

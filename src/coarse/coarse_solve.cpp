@@ -78,8 +78,9 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
   for (std::size_t j = 0; j < unknowns_; ++j) {
     Column& column = columns[j];
     const double leaves = column.fresh * fresh[j] + column.growth * column.stale * stale[j];
-    const double most = std::min(gives(j), most_given * after_[j * bands_ + band]);
-    if (leaves > most) {
+    // Errors of links may leave an unknown with light below zero: it gives nothing.
+    const double most = std::max(0.0, std::min(gives(j), most_given * after_[j * bands_ + band]));
+    if (leaves > 0.0 && leaves > most) {
       column.fresh *= most / leaves;
       column.stale *= most / leaves;
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr int most_sweeps = 64;
 /// A candidate that random walks found dark needs so many times fewer rays than another: 32 walks
 /// have begun with as many rays already.
-constexpr int fewer_where_walked = 8;
+constexpr int fewer_where_walked = 4;
 /// Of the share of the mean irradiance below which a polygon is a candidate, with a sky.
 constexpr double sky_share = 1e-3;
 /// Of the irradiance of all polygons, in one sweep: far below what decides.

@@ -15,7 +15,7 @@ namespace enfilade {
 struct UnreachablePolygonsConfig {
   /// Of the scene's mean irradiance: a polygon with less, and without exitance, is a candidate.
   double share = 1e-4;
-  /// Rays per polygon at first, and more for each candidate; an eighth of these where random walks
+  /// Rays per polygon at first, and more for each candidate; a quarter of these where random walks
   /// found no light either (ClusterPolygon::walked_dark). The fewer polygons there are, the more
   /// rays each has (least_rays), so that an opening of a hollow that all rays miss must be small.
   int rays = 16, more_rays = 128;

@@ -23,11 +23,33 @@ double mean_ratio(const IterationSummary& first, const IterationSummary& last) {
   return change > 0.0 ? std::sqrt(last.figures.change_power / change) : 0.0;
 }
 
+/// True where the light, extrapolated as far as ever, keeps moving as much as before: in a gap that
+/// hardly any light enters, a leaf's light may leap to and fro between the limits of what is
+/// extrapolated. Or where that was so since links were refined last.
+bool never_rests(std::span<const IterationSummary> history, const ExtrapolationWeights& weights) {
+  std::size_t first = history.size();
+  while (first > 0 && !history[first - 1].plan.refine) --first;
+  std::size_t extrapolated = 0;
+  for (const IterationSummary& rested : history.subspan(first)) {
+    if (rested.plan.extrapolation >= 1.0) {
+      ++extrapolated;
+    } else if (extrapolated > 0) {
+      return true;
+    }
+  }
+  if (extrapolated <= weights.patience) return false;
+  const IterationSummary &last = history.back(),
+                         &then = history[history.size() - 1 - weights.patience];
+  return then.plan.extrapolation >= last.plan.extrapolation &&
+         last.figures.change_power > weights.no_rest * then.figures.change_power;
+}
+
 }  // namespace
 
 double extrapolation_of(const IterationPlan& plan, std::span<const IterationSummary> history,
                         const ExtrapolationWeights& weights) {
   if (plan.refine || history.empty() || !history.back().corrected) return 0.0;
+  if (never_rests(history, weights)) return 0.0;
   if (history.back().plan.extrapolation < 1.0) return 1.0;
   double factor = weights.first_share * most_reflected(history.back().figures);
   for (std::size_t i = history.size(); i-- > 2;) {

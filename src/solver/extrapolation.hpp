@@ -13,6 +13,10 @@ struct ExtrapolationWeights {
   double first_share = 0.85;
   /// The guess stays below this: a method of second order diverges slowly where it is too high.
   double most = 0.9;
+  /// Where the light moves as much as no_rest times as far after `patience` iterations that were
+  /// extrapolated alike, it is extrapolated no more: light that contracts by 0.99 moves less.
+  std::size_t patience = 8;
+  double no_rest = 0.95;
 };
 
 /// Returns IterationPlan::extrapolation of `plan`, the one that follows `history`. None while links

@@ -50,5 +50,28 @@ TEST(Extrapolation, FindsTheContractionThatTheChangesShow) {
   EXPECT_LT(extrapolation_of(resting, moved), 1.1);
 }
 
+/// The extrapolation after `count` resting iterations that each change the light by `ratio` times
+/// as much as the one before.
+std::vector<IterationSummary> resting_iterations(int count, double ratio) {
+  std::vector<IterationSummary> history{iteration(1.0, 0.0)};
+  for (int i = 0; i < count; ++i) {
+    history.push_back(iteration(std::pow(ratio, i), extrapolation_of(resting, history)));
+    history.back().plan.refine = false;
+  }
+  return history;
+}
+
+TEST(Extrapolation, EndsWhereTheLightNeverRests) {
+  const double slow = extrapolation_of(resting, resting_iterations(40, 0.99));
+  EXPECT_NEAR(slow, 2.0 / (1.0 + std::sqrt(1.0 - 0.81)), 1e-9) << "light that comes to rest slowly";
+  std::vector<IterationSummary> restless = resting_iterations(40, 1.0);
+  EXPECT_GT(restless[10].plan.extrapolation, 1.3);
+  EXPECT_EQ(restless[20].plan.extrapolation, 0.0);
+  EXPECT_EQ(restless[40].plan.extrapolation, 0.0) << "and does not begin anew";
+  // Finer links are another system.
+  restless.push_back(iteration(1.0, 0.0));
+  EXPECT_EQ(extrapolation_of(resting, restless), 1.0);
+}
+
 }  // namespace
 }  // namespace enfilade
