@@ -80,7 +80,7 @@ std::vector<CoarseSystem::Column> CoarseSystem::columns(const CoarseUnknowns& un
     const double leaves = column.fresh * fresh[j] + column.growth * column.stale * stale[j];
     // Errors of links may leave an unknown with light below zero: it gives nothing.
     const double most = std::max(0.0, std::min(gives(j), most_given * after_[j * bands_ + band]));
-    if (leaves > 0.0 && leaves > most) {
+    if (leaves > most) {
       column.fresh *= most / leaves;
       column.stale *= most / leaves;
     }

@@ -67,8 +67,7 @@ void FarFlow::add(const Link& link, std::span<const float> transport,
   }
 }
 
-/// Where few unknowns of all are touched, only these are looked at: in a large building, others
-/// would take more time than all else.
+/// Where few of the unknowns are touched (there are up to 1,024 of them), only these are looked at.
 CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
   const std::size_t bands = unknowns.bands(), width = receiving_.size() * bands;
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {

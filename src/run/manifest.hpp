@@ -14,8 +14,8 @@
 
 namespace enfilade {
 
-/// 12: surplus of error samples. 11: segments. 10: kept light, extrapolation. 9: sums of rows,
-/// relaxation. 8: checksum, run and preparation. 7: the building's hierarchy.
+/// 13: rays of openness. 12: surplus of error samples. 11: segments. 10: kept light, extrapolation.
+/// 9: sums of rows, relaxation. 8: checksum, run and preparation. 7: the building's hierarchy.
 inline constexpr int manifest_version = 13;
 
 struct Manifest {

@@ -29,15 +29,18 @@ double mean_ratio(const IterationSummary& first, const IterationSummary& last) {
 bool never_rests(std::span<const IterationSummary> history, const ExtrapolationWeights& weights) {
   std::size_t first = history.size();
   while (first > 0 && !history[first - 1].plan.refine) --first;
-  std::size_t extrapolated = 0;
-  for (const IterationSummary& rested : history.subspan(first)) {
-    if (rested.plan.extrapolation >= 1.0) {
-      ++extrapolated;
-    } else if (extrapolated > 0) {
-      return true;
+  std::size_t alike = 0;  // extrapolated iterations in a row, with one flux correction
+  for (std::size_t i = first; i < history.size(); ++i) {
+    const IterationPlan& plan = history[i].plan;
+    if (plan.extrapolation >= 1.0) {
+      if (i > first && plan.flux_correction != history[i - 1].plan.flux_correction) alike = 0;
+      ++alike;
+    } else if (alike > 0) {
+      if (history[i - 1].corrected) return true;
+      alike = 0;  // the coarse correction had failed
     }
   }
-  if (extrapolated <= weights.patience) return false;
+  if (alike <= weights.patience) return false;
   const IterationSummary &last = history.back(),
                          &then = history[history.size() - 1 - weights.patience];
   return then.plan.extrapolation >= last.plan.extrapolation &&

@@ -23,7 +23,7 @@ struct ExtrapolationWeights {
 /// are refined, or without the coarse correction, which takes care of the aggregates' power. The
 /// first iteration after that keeps the light; from the second on the light is extrapolated for the
 /// largest contraction factor that the changes have shown since (Hageman and Young 1981, adaptive
-/// parameters).
+/// parameters). None either once the light has not come to rest so, until links are refined again.
 double extrapolation_of(const IterationPlan& plan, std::span<const IterationSummary> history,
                         const ExtrapolationWeights& weights = {});
 

@@ -199,6 +199,9 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
   plan.finished = plan.converged = plan.sample = plan.renew_far = false;
+  const OpennessRays rays = openness_rays(config.target_error);
+  plan.openness_rays.rings = std::max(plan.openness_rays.rings, rays.rings);
+  plan.openness_rays.per_cluster = std::max(plan.openness_rays.per_cluster, rays.per_cluster);
   plan.received_power = last.figures.received_power;
   const bool light_is_everywhere =
       share_of_received(last.figures.change_power, last.figures.received_power) <

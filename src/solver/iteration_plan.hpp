@@ -18,7 +18,7 @@ struct IterationPlan {
   bool refine = true;
   bool renew_far = true;        ///< RefinementConfig::renew_far
   bool close_rows = false;      ///< GatherConfig::close_rows
-  OpennessRays openness_rays;   ///< the same in all iterations of a run
+  OpennessRays openness_rays;   ///< more of them where a run goes on with a smaller target error
   bool sample = false;          ///< sample the error: ErrorSamples
   int sample_rays = 0;          ///< per sampled point
   double received_power = 0.0;  ///< power received in the previous iteration

@@ -26,7 +26,7 @@ class Painter {
       : solved_(solved),
         config_(config),
         view_(solved, camera, static_cast<double>(config.width) / config.height) {
-    Spectrum one(bands());
+    Spectrum one(static_cast<std::size_t>(solved.scene.bands));
     for (std::size_t i = 0; i < one.size(); ++i) {
       one[i] = 1.0;
       weights_.push_back(

@@ -64,13 +64,34 @@ std::vector<IterationSummary> resting_iterations(int count, double ratio) {
 TEST(Extrapolation, EndsWhereTheLightNeverRests) {
   const double slow = extrapolation_of(resting, resting_iterations(40, 0.99));
   EXPECT_NEAR(slow, 2.0 / (1.0 + std::sqrt(1.0 - 0.81)), 1e-9) << "light that comes to rest slowly";
-  std::vector<IterationSummary> restless = resting_iterations(40, 1.0);
-  EXPECT_GT(restless[10].plan.extrapolation, 1.3);
-  EXPECT_EQ(restless[20].plan.extrapolation, 0.0);
-  EXPECT_EQ(restless[40].plan.extrapolation, 0.0) << "and does not begin anew";
+  std::vector<IterationSummary> restless = resting_iterations(13, 1.0);
+  EXPECT_GT(restless[12].plan.extrapolation, 1.3);
+  EXPECT_EQ(restless[13].plan.extrapolation, 0.0);
+  for (int i = 0; i < 6; ++i) {
+    restless.push_back(iteration(std::pow(0.8, i), extrapolation_of(resting, restless)));
+    restless.back().plan.refine = false;
+    EXPECT_EQ(restless.back().plan.extrapolation, 0.0) << "and does not begin anew";
+  }
   // Finer links are another system.
   restless.push_back(iteration(1.0, 0.0));
   EXPECT_EQ(extrapolation_of(resting, restless), 1.0);
+}
+
+TEST(Extrapolation, GoesOnWhereSomethingElseMovedTheLight) {
+  // A flux correction that changes late moves the light as the first iterations did.
+  std::vector<IterationSummary> history = resting_iterations(11, 0.8);
+  history.push_back(iteration(1.0, extrapolation_of(resting, history)));
+  history.back().plan.refine = false;
+  history.back().plan.flux_correction = {0.1};
+  EXPECT_GT(extrapolation_of(resting, history), 1.0);
+  // Nor does a coarse correction that failed once end it for good.
+  history = resting_iterations(5, 0.8);
+  history.back().corrected = false;
+  for (const double expected : {0.0, 1.0}) {
+    history.push_back(iteration(0.3, extrapolation_of(resting, history)));
+    history.back().plan.refine = false;
+    EXPECT_EQ(history.back().plan.extrapolation, expected);
+  }
 }
 
 }  // namespace
