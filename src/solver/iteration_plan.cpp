@@ -47,6 +47,10 @@ OpennessRays openness_rays(double target_error) {
   return rays;
 }
 
+OpennessRays more_of(const OpennessRays& a, const OpennessRays& b) {
+  return {std::max(a.rings, b.rings), std::max(a.per_cluster, b.per_cluster)};
+}
+
 /// True where errors were sampled after the last iteration that refined a link.
 bool links_were_sampled(std::span<const IterationSummary> history) {
   for (std::size_t i = history.size(); i-- > 0;) {
@@ -199,9 +203,7 @@ IterationPlan next_plan(std::span<const IterationSummary> history, const PlanCon
   IterationPlan plan = last.plan;
   plan.iteration = last.plan.iteration + 1;
   plan.finished = plan.converged = plan.sample = plan.renew_far = false;
-  const OpennessRays rays = openness_rays(config.target_error);
-  plan.openness_rays.rings = std::max(plan.openness_rays.rings, rays.rings);
-  plan.openness_rays.per_cluster = std::max(plan.openness_rays.per_cluster, rays.per_cluster);
+  plan.openness_rays = more_of(last.plan.openness_rays, openness_rays(config.target_error));
   plan.received_power = last.figures.received_power;
   const bool light_is_everywhere =
       share_of_received(last.figures.change_power, last.figures.received_power) <

@@ -182,12 +182,34 @@ TEST(IterationPlan, PatchesAreHeldToTheTargetWhileTheLinksAreFew) {
   EXPECT_FALSE(next_plan(history, asked).finished);
 }
 
+/// Of n stratified rays, 0.5 n^(-3/4) is the standard deviation at most: 0.3 of a coarse target.
+TEST(IterationPlan, RaysOfOpennessFollowTheTarget) {
+  PlanConfig config{
+      .emitted_power = {10.0}, .surfaces_power = {}, .target_error = 0.3, .max_iterations = 50};
+  const IterationPlan coarse = first_plan(config);
+  const double rays = 4.0 * coarse.openness_rays.rings * coarse.openness_rays.rings;
+  EXPECT_LT(rays, 64.0);
+  EXPECT_LT(0.5 * std::pow(rays, -0.75), 0.3 * 0.3);
+  config.target_error = 0.02;
+  const IterationPlan fine = first_plan(config);
+  EXPECT_EQ(fine.openness_rays.rings, 4);
+  EXPECT_GT(fine.openness_rays.per_cluster, 4.0 * coarse.openness_rays.per_cluster);
+  // A run that goes on with a finer target measures what is new as finely as that.
+  IterationSummary begun = summary(1, 1.0, 12);
+  begun.plan = coarse;
+  EXPECT_EQ(next_plan(std::vector{begun}, config).openness_rays.rings, 4);
+  config.target_error = 0.3;
+  begun.plan = fine;
+  EXPECT_EQ(next_plan(std::vector{begun}, config).openness_rays.rings, 4);
+}
+
 TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   IterationSummary s = summary(7, 0.03125, 12);
   s.plan.link_tolerance = 0.125;
   s.plan.refine = false;
   s.error = {0.1, 0.2, 0.3, 0.4, 0.5};
   s.plan.sample_rays = 99;
+  s.plan.openness_rays = {3, 200.0};
   s.plan.flux_correction = {0.5, -0.25};
   s.time_s = 9.0;
   s.correction_failed = true;
@@ -209,6 +231,8 @@ TEST(IterationPlan, NumbersComeBackAsTheyWere) {
   const IterationSummary back = summary_from(to_numbers(s));
   EXPECT_EQ(to_numbers(back), to_numbers(s));
   EXPECT_EQ(back.plan.iteration, 7);
+  EXPECT_EQ(back.plan.openness_rays.rings, 3);
+  EXPECT_EQ(back.plan.openness_rays.per_cluster, 200.0);
   EXPECT_FALSE(back.plan.refine);
   EXPECT_TRUE(back.correction_failed);
   EXPECT_EQ(back.figures.rows.deficit_m2, 0.5);
