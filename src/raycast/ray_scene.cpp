@@ -219,7 +219,9 @@ RayHit RayScene::Impl::closest(const Vec3& from, const Vec3& unit_direction, std
 
 RayHit RayScene::closest(const Vec3& from, const Vec3& direction, std::uint32_t skip,
                          double max_distance_m, RayStart start) const {
-  const Vec3 d = glm::normalize(direction);
+  const double length = glm::length(direction);
+  if (!(length > 0.0)) return {};
+  const Vec3 d = direction / length;
   const double epsilon = impl_->epsilon, near_m = impl_->near_m(start);
   const RayHit hit = impl_->closest(from, d, skip, near_m, max_distance_m);
   if (!hit.any() || hit.front) return hit;
@@ -255,8 +257,9 @@ void RayScene::crossings(const Vec3& from, const Vec3& direction, double max_dis
                          std::uint32_t skip_a, std::uint32_t skip_b, RayStart start,
                          std::vector<PaneCrossing>& found) const {
   found.clear();
-  if (!has_panes()) return;
-  const Vec3 d = glm::normalize(direction);
+  const double length = glm::length(direction);
+  if (!has_panes() || !(length > 0.0)) return;
+  const Vec3 d = direction / length;
   CrossingContext context{impl_->context(skip_a, skip_b), &found};
   context.skip.polygon_of_triangle = impl_->panes.polygon_of_triangle.data();
   RTCRayHit query{};

@@ -41,7 +41,7 @@ class RayScene {
   /// A ray, and the polygon that it passes through.
   struct Ray {
     Vec3 from{0.0};
-    Vec3 direction{0.0, 0.0, 1.0};  ///< of any length but 0
+    Vec3 direction{0.0, 0.0, 1.0};  ///< of any length
     std::uint32_t skip = no_polygon;
     double max_distance_m = 1e30;
   };
@@ -67,8 +67,9 @@ class RayScene {
   void occluded(std::span<const Sight> segments, std::span<std::uint8_t> blocked,
                 RayStart start = RayStart::on_polygon) const;
 
-  /// Returns the first hit from `from` along `direction` (any length but 0), skipping polygon
-  /// `skip`. Of polygons in one place, one that shows its front.
+  /// Returns the first hit from `from` along `direction`, skipping polygon `skip`. Of polygons in
+  /// one place, one that shows its front. None where the direction has no length, as from a point to
+  /// itself.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30, RayStart start = RayStart::on_polygon) const;
   /// The first hit of each ray; both spans have the same size.

@@ -126,6 +126,22 @@ TEST(RayScene, RefusesSpansOfUnequalSizes) {
   EXPECT_THROW(scene.closest(std::vector<RayScene::Ray>(2), hits), std::logic_error);
 }
 
+/// Two polygons that meet have points in common: from a point to itself there is no direction, and
+/// nothing stands between.
+TEST(RayScene, NothingLiesBetweenAPointAndItself) {
+  const std::vector<Polygon> polygons{square(0.0), square(1.0)};
+  const std::vector<char> panes{0, 1};
+  const RayScene scene(polygons, panes);
+  const Vec3 p(0.5, 0.5, 1.0);
+  EXPECT_FALSE(scene.closest(p, Vec3(0.0)).any());
+  EXPECT_FALSE(scene.closest(p, Vec3(0.0), 1, -scene.epsilon_m()).any());
+  EXPECT_FALSE(scene.occluded(p, p));
+  std::vector<PaneCrossing> found{{}};
+  scene.crossings(p, Vec3(0.0), 1.0, RayScene::no_polygon, RayScene::no_polygon, RayStart::in_air,
+                  found);
+  EXPECT_TRUE(found.empty());
+}
+
 TEST(RayScene, AnEmptySceneBlocksNothing) {
   const RayScene scene(std::vector<Polygon>{});
   EXPECT_FALSE(scene.occluded({0, 0, 0}, {1, 1, 1}));
