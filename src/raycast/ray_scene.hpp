@@ -68,8 +68,8 @@ class RayScene {
                 RayStart start = RayStart::on_polygon) const;
 
   /// Returns the first hit from `from` along `direction`, skipping polygon `skip`. Of polygons in
-  /// one place, one that shows its front. None where the direction has no length, as from a point to
-  /// itself.
+  /// one place, one that shows its front. None where the direction has no length, as from a point
+  /// to itself.
   RayHit closest(const Vec3& from, const Vec3& direction, std::uint32_t skip = no_polygon,
                  double max_distance_m = 1e30, RayStart start = RayStart::on_polygon) const;
   /// The first hit of each ray; both spans have the same size.
