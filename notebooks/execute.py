@@ -12,6 +12,20 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 
 
+def execute(path: Path):
+    """Returns the notebook with its outputs. Jupyter chooses the kernel's TCP ports before the kernel opens them, so that another program
+    may take one in between; then the kernel dies at once, and is started anew."""
+    starts = 3
+    for start in range(starts):
+        notebook = nbformat.read(path, as_version=4)
+        try:
+            NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(path.resolve().parent)}}).execute()
+            return notebook
+        except RuntimeError:  # a cell that fails raises another
+            if start + 1 == starts:
+                raise
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("notebook", type=Path)
@@ -19,10 +33,8 @@ def main() -> int:
     parser.add_argument("--chart", type=Path, help="where the chart goes")
     arguments = parser.parse_args()
     os.environ["ENFILADE_CSV"] = str(arguments.csv.resolve())
-    notebook = nbformat.read(arguments.notebook, as_version=4)
     try:
-        NotebookClient(notebook, timeout=120, kernel_name="python3",
-                       resources={"metadata": {"path": str(arguments.notebook.resolve().parent)}}).execute()
+        notebook = execute(arguments.notebook)
     except CellExecutionError as error:
         print(error, file=sys.stderr)
         return 1
