@@ -5,16 +5,6 @@
 #include "coarse/aggregate_flow.hpp"
 
 namespace enfilade {
-namespace {
-
-constexpr std::size_t few_of = 16;  ///< one unknown in so many is few
-
-}  // namespace
-
-std::vector<double>& FarUnknowns::flows(std::size_t width) const {
-  flows_.resize(std::max(flows_.size(), count() * width), 0.0);
-  return flows_;
-}
 
 /// Sums the clusters below the node; nodes that shoot as one are small, or few. A cluster with
 /// several aggregates divides what it reflects evenly among them.
@@ -67,15 +57,12 @@ void FarFlow::add(const Link& link, std::span<const float> transport,
   }
 }
 
-/// Where few of the unknowns are touched (there are up to 1,024 of them), only these are looked at.
 CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
   const std::size_t bands = unknowns.bands(), width = receiving_.size() * bands;
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
     return a.node != b.node ? a.node < b.node : a.first < b.first;
   });
-  std::vector<double>& sums = unknowns.flows(width);
-  std::vector<std::uint32_t> touched;  // unknowns, some of them more than once
-  std::vector<double> flow(width);
+  std::vector<double> sums(unknowns.count() * width, 0.0), flow(width);
   for (std::size_t i = 0; i < parts_.size();) {
     const std::uint32_t node = parts_[i].node;
     std::fill(flow.begin(), flow.end(), 0.0);
@@ -83,7 +70,6 @@ CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
       for (std::size_t k = 0; k < width; ++k) flow[k] += power_[parts_[i].first + k];
     }
     const FarUnknowns::Parts& shares = unknowns.of(node);
-    touched.insert(touched.end(), shares.unknown.begin(), shares.unknown.end());
     for (std::size_t u = 0; u < shares.unknown.size(); ++u) {
       double* sum = sums.data() + shares.unknown[u] * width;
       const double* share = shares.share.data() + u * bands;
@@ -92,19 +78,12 @@ CoarseRow::Far FarFlow::entries(const FarUnknowns& unknowns) {
     }
   }
   CoarseRow::Far far;
-  const auto take = [&](std::uint32_t u) {
+  for (std::size_t u = 0; u < unknowns.count(); ++u) {
     const auto first = sums.begin() + static_cast<std::ptrdiff_t>(u * width);
     const auto end = first + static_cast<std::ptrdiff_t>(width);
-    if (std::all_of(first, end, [](double f) { return f == 0.0; })) return;
-    far.columns.push_back(u);
+    if (std::all_of(first, end, [](double f) { return f == 0.0; })) continue;
+    far.columns.push_back(static_cast<std::uint32_t>(u));
     far.flows.insert(far.flows.end(), first, end);
-    std::fill(first, end, 0.0);
-  };
-  if (touched.size() * few_of < unknowns.count()) {
-    std::sort(touched.begin(), touched.end());
-    for (const std::uint32_t u : touched) take(u);
-  } else {
-    for (std::uint32_t u = 0; u < unknowns.count(); ++u) take(u);
   }
   return far;
 }

@@ -26,8 +26,6 @@ class FarUnknowns {
   std::size_t bands() const { return light_.bands(); }
   std::size_t count() const { return unknowns_.count; }
   const Parts& of(std::uint32_t node) const;
-  /// Scratch: `width` numbers per unknown, zero between calls of FarFlow::entries().
-  std::vector<double>& flows(std::size_t width) const;
 
  private:
   Parts make(std::uint32_t node) const;
@@ -35,7 +33,6 @@ class FarUnknowns {
   const BuildingLight& light_;
   const CoarseUnknowns& unknowns_;
   mutable std::vector<std::unique_ptr<Parts>> parts_;  ///< by node, once it is asked
-  mutable std::vector<double> flows_;
   mutable std::vector<double> sums_;  ///< scratch: [unknown * bands + band], zero between calls
 };
 
